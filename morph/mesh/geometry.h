@@ -1,0 +1,26 @@
+#pragma once
+
+#include "morph/mesh/mesh.h"
+
+namespace automorph {
+
+/// Axis-aligned bounding box diagonal, in scene units; 0 for an empty mesh.
+double bounding_box_diagonal(const Points& V);
+
+/// Area of each triangle, in squared scene units (#F).
+Eigen::VectorXd triangle_areas(const Mesh& mesh);
+
+/// Area-weighted centre of mass of the surface. Falls back to the mean of the vertices when the area is zero.
+Eigen::Vector3d centre_of_mass(const Mesh& mesh);
+
+/// A third of the area of the incident triangles, per vertex (#V).
+Eigen::VectorXd vertex_areas(const Mesh& mesh);
+
+/// Unit vertex normals (#V x 3), weighted by the angle of each incident triangle (Thuermer and Wuethrich 1998).
+/// A vertex whose incident triangles all have zero area gets the zero vector.
+Points vertex_normals(const Mesh& mesh);
+
+/// Signed volume enclosed by a closed mesh; positive when the triangles face outwards.
+double signed_volume(const Mesh& mesh);
+
+}  // namespace automorph

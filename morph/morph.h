@@ -1,0 +1,79 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "morph/interpolation/interpolation.h"
+#include "morph/mesh/mesh.h"
+#include "morph/report.h"
+
+/// The door of the morph library: two meshes and options in, a Morph out.
+///
+///     using namespace automorph;
+///     Morph m = morph(load_mesh("a.obj"), load_mesh("b.obj"));
+///     for (double alpha : {0.0, 0.25, 0.5, 0.75, 1.0}) write_mesh(..., m.frame(alpha));
+///
+/// Everything expensive happens once, in morph(); a frame costs one pass over the vertices.
+namespace automorph {
+
+/// How the correspondence is found.
+enum class Alignment {
+    None,          ///< Section 3 alone: borders start at an arbitrary vertex, no registration
+    Registration,  ///< Sections 4.1 and 4.2: EM-ICP, control vertices, direction
+};
+
+/// What happens to openings (eyes, mouth) other than the border; they are filled for the maps.
+enum class Openings {
+    Reopen,  ///< merged triangles that lie in a filling of either shape are removed
+    Fill,    ///< they stay
+};
+
+struct MorphOptions {
+    Alignment alignment = Alignment::Registration;
+    Openings openings = Openings::Reopen;
+    bool lift = true;         ///< curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise
+    std::uint64_t seed = 1;
+};
+
+/// A mesh that is ready to be morphed, with the file's own vertex numbering kept.
+struct InputMesh {
+    Mesh mesh;
+    std::vector<int> vertex_of_file;   ///< per vertex of the file: vertex of `mesh`, -1 if unused
+    MeshReport report;
+};
+
+/// Reads, inspects and mends a file. @throws IoError, InvalidMesh
+InputMesh load_mesh(const std::string& file);
+
+/// Inspects and mends a mesh in memory. @throws InvalidMesh
+InputMesh admit_mesh(const Mesh& mesh, const std::string& name = "mesh");
+
+/// Two shapes with one connectivity.
+class Morph {
+public:
+    const Triangles& triangles() const;                ///< #F x 3, the same for every frame
+    Points frame(double alpha, Interpolation scheme = Interpolation::Slerp) const;  ///< #V x 3
+    Mesh mesh(double alpha, Interpolation scheme = Interpolation::Slerp) const;     ///< frame and triangles
+
+    /// Where each vertex of the source file goes on the target's surface, in the target file's coordinates;
+    /// rows of vertices that no triangle uses are NaN. #(file vertices of the source) x 3
+    Points correspondence() const;
+
+    const Endpoints& endpoints() const;
+    const Report& report() const;
+
+private:
+    friend Morph morph(const InputMesh&, const InputMesh&, const MorphOptions&);
+    Triangles triangles_;
+    Endpoints ends_;
+    Points correspondence_;
+    Report report_;
+};
+
+/// Computes the morph of a pair. Both meshes open (disks, further openings allowed) or both closed.
+/// @throws InvalidMesh   the pair cannot be morphed: one open and one closed
+/// @throws SolverFailure a stage found no valid answer; the message names it
+Morph morph(const InputMesh& source, const InputMesh& target, const MorphOptions& options = {});
+
+}  // namespace automorph
