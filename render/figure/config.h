@@ -10,6 +10,7 @@
 #include "morph/interpolation/interpolation.h"
 #include "morph/morph.h"
 #include "morph/shapes/shapes.h"
+#include "render/geometry/triangle_mesh.h"
 
 /// What a figure is made of, read from a YAML file. The keys of the file, their types, defaults and meaning
 /// are one table (config_keys.cpp); `automorph config --explain` prints it.
@@ -45,16 +46,17 @@ struct RowConfig {
 
 /// How every cell is pictured; all cells of a figure share one camera.
 struct PictureConfig {
-    enum class Normals { Smooth, Flat };
-
     int width = 480, height = 480;             ///< of one cell, pixels
     int spp = 64;                              ///< paths per pixel
     std::uint64_t seed = 1;                    ///< of the samples
-    Eigen::Vector3d view{0, 0, -1};            ///< direction the camera looks in, world frame
-    Eigen::Vector3d up{0, 1, 0};               ///< upwards in the picture, world frame
+    Eigen::Vector3d view{0, 1, -0.25};         ///< direction the camera looks in, world frame
+    Eigen::Vector3d up{0, 0, 1};               ///< upwards in the picture, world frame
     double fov = 20;                           ///< vertical field of view, degrees
-    Eigen::Vector3d albedo{0.75, 0.72, 0.68};  ///< diffuse reflectance, linear RGB
-    Normals normals = Normals::Smooth;
+    double margin = 0.06;                      ///< free on each side, fraction of half the picture
+    Eigen::Vector3d albedo{0.72, 0.69, 0.64};  ///< diffuse reflectance, linear RGB
+    Eigen::Vector3d background{1, 1, 1};       ///< linear RGB; white merges with the sheet's paper
+    bool ground = true;                        ///< a floor that shows the shadow only
+    render::Normals normals = render::Normals::Smooth;
 };
 
 struct FigureConfig {

@@ -11,6 +11,9 @@ constexpr Range kAny{-1e12, 1e12};  // keeps coordinates far from overflow, no m
 constexpr Range kPositive{1e-9, 1e12};
 constexpr Range kSeed{0, 1.8446744073709551e19};  // whatever 64 bits hold
 
+constexpr std::array kShapes{Named<MeshConfig::Shape>{"ellipsoid", MeshConfig::Shape::Ellipsoid},
+                             Named<MeshConfig::Shape>{"star", MeshConfig::Shape::Star}};
+
 Section<MeshConfig::Turn> rotation_section() {
     using Turn = MeshConfig::Turn;
     Section<Turn> table;
@@ -59,8 +62,7 @@ Section<MeshConfig> mesh_section() {
     Section<M> table;
     table.keys = {
         path("file", &M::file, "mesh file (.off, .obj, .ply, .stl); `source: FILE` is short for it"),
-        choice("shape", &M::shape, {{"ellipsoid", M::Shape::Ellipsoid}, {"star", M::Shape::Star}},
-               "a generated shape in place of a file"),
+        choice("shape", &M::shape, kShapes, "a generated shape in place of a file"),
         only_with("shape: ellipsoid", vector3("semi_axes", &M::semi_axes, kPositive,
                                               "half the extent of the ellipsoid in x, y and z")),
         of_star(value("arms", &S::arms, {3, 64}, "how many arms the star has, in its xy-plane")),
@@ -84,15 +86,11 @@ Section<RowConfig> row_section() {
     Section<R> table;
     table.keys = {
         required(text("label", &R::label, "what the sheet calls the row")),
-        choice("alignment", &R::alignment,
-               {{"none", Alignment::None}, {"registration", Alignment::Registration}},
+        choice("alignment", &R::alignment, kAlignments,
                "how the maps are brought together: not at all (Section 3 alone) or by EM-ICP (4.1, 4.2)"),
-        choice("interpolation", &R::interpolation,
-               {{"linear", Interpolation::Linear},
-                {"rigid-linear", Interpolation::RigidLinear},
-                {"slerp", Interpolation::Slerp}},
+        choice("interpolation", &R::interpolation, kInterpolations,
                "how vertices move: Eq. (12), (13) or (14)"),
-        choice("openings", &R::openings, {{"reopen", Openings::Reopen}, {"fill", Openings::Fill}},
+        choice("openings", &R::openings, kOpenings,
                "what happens to openings other than the border (eyes, mouth)"),
         flag("lift", &R::lift, "curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise"),
     };
@@ -111,9 +109,12 @@ Section<PictureConfig> picture_section() {
                 "direction the camera looks in; the distance follows from the frames"),
         vector3("up", &P::up, kAny, "direction that is upwards in the picture"),
         value("fov", &P::fov, {1, 120}, "vertical field of view, degrees"),
+        value("margin", &P::margin, {0, 0.9},
+              "free border on each side of a cell, as a fraction of half the cell"),
         vector3("albedo", &P::albedo, {0, 1}, "diffuse reflectance, linear red, green, blue"),
-        choice("normals", &P::normals, {{"smooth", P::Normals::Smooth}, {"flat", P::Normals::Flat}},
-               "shading normals: interpolated, or one per triangle"),
+        vector3("background", &P::background, {0, 1}, "linear red, green, blue; white merges with the sheet"),
+        flag("ground", &P::ground, "a floor below all frames that shows their shadow only"),
+        choice("normals", &P::normals, kNormals, "shading normals: interpolated, or one per triangle"),
     };
     table.check = [](const P& picture, const YAML::Node& node, const Place& place) {
         if (picture.view.norm() == 0)

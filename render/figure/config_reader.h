@@ -2,12 +2,14 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "morph/mesh/errors.h"
 #include "render/figure/config.h"
+#include "render/figure/names.h"
 
 /// Tables of keys that read a YAML mapping into a struct. Internal to the config readers: the only header
 /// that shows yaml-cpp.
@@ -92,12 +94,6 @@ void describe(const Section<T>& section, const std::string& prefix, std::vector<
 
 struct Range {
     double least, most;
-};
-
-template <class M>
-struct Choice {
-    const char* name;
-    M value;
 };
 
 template <class T>
@@ -192,10 +188,10 @@ Key<T> numbers(const char* name, std::vector<double> T::*member, Range range, co
     return key;
 }
 
-template <class T, class M>
-Key<T> choice(const char* name, M T::*member, std::vector<Choice<M>> choices, const char* meaning) {
+template <class T, class M, std::size_t N>
+Key<T> choice(const char* name, M T::*member, const std::array<Named<M>, N>& choices, const char* meaning) {
     Key<T> key = blank<T>(name, ConfigKey::Type::Choice, meaning);
-    for (const Choice<M>& each : choices) {
+    for (const Named<M>& each : choices) {
         key.info.choices.emplace_back(each.name);
         if (each.value == T{}.*member) key.info.fallback = each.name;
     }

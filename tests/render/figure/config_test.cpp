@@ -15,7 +15,9 @@ namespace {
 // The shortest config there is: line 1 source, line 2 target, line 3 rows.
 const std::string kShortest = "source: a.off\ntarget: b.off\nrows: [{label: one}]\n";
 
-FigureConfig parse(const std::string& text) { return parse_config(text, "folder/fig.yaml"); }
+FigureConfig parse(const std::string& text) {
+    return parse_config(text, "folder/fig.yaml");
+}
 
 std::string error_of(const std::string& text) {
     try {
@@ -27,7 +29,8 @@ std::string error_of(const std::string& text) {
 }
 
 // The error stands at line:column and holds every given phrase.
-void check_error(const std::string& text, const std::string& position, const std::vector<std::string>& phrases) {
+void check_error(const std::string& text, const std::string& position,
+                 const std::vector<std::string>& phrases) {
     const std::string message = error_of(text);
     INFO(text);
     INFO(message);
@@ -59,7 +62,8 @@ TEST_CASE("a config of three lines takes everything else from the defaults") {
 }
 
 TEST_CASE("paths of a config are relative to its folder, absolute ones stay") {
-    const FigureConfig figure = parse("source: ../a.off\ntarget: {file: /x/b.ply}\nrows: [{label: r}]\noutput: made\n");
+    const FigureConfig figure =
+        parse("source: ../a.off\ntarget: {file: /x/b.ply}\nrows: [{label: r}]\noutput: made\n");
     CHECK(figure.source.file == fs::path("a.off"));
     CHECK(figure.target.file == fs::path("/x/b.ply"));
     CHECK(figure.output == fs::path("folder/made"));
@@ -118,15 +122,20 @@ picture: {width: 100, height: 120, spp: 9, seed: 3, view: [1, 0, 0], up: [0, 0, 
     CHECK(figure.picture.up == Eigen::Vector3d(0, 0, 1));
     CHECK(figure.picture.fov == 35);
     CHECK(figure.picture.albedo == Eigen::Vector3d(1, 0, 0.5));
-    CHECK(figure.picture.normals == PictureConfig::Normals::Flat);
+    CHECK(figure.picture.normals == render::Normals::Flat);
 }
 
 TEST_CASE("an unknown key is refused where it stands, with the nearest known one") {
-    check_error(kShortest + "pictures: {}\n", "4:1", {"unknown key 'pictures' in the config", "did you mean 'picture'?"});
-    check_error(kShortest + "picture:\n  sppp: 4\n", "5:3", {"unknown key 'sppp' in picture", "'spp'", "width, height"});
-    check_error("source: a\ntarget: b\nrows:\n- label: x\n- lable: y\n", "5:3", {"'lable' in rows[1]", "'label'"});
-    check_error(kShortest + "completely_else: 1\n", "4:1", {"unknown key 'completely_else'", "Allowed: title, source"});
-    check_error("source: {shape: star, rotation: {axes: [1,0,0]}}\n", "1:35", {"'axes' in source.rotation", "'axis'"});
+    check_error(kShortest + "pictures: {}\n", "4:1",
+                {"unknown key 'pictures' in the config", "did you mean 'picture'?"});
+    check_error(kShortest + "picture:\n  sppp: 4\n", "5:3",
+                {"unknown key 'sppp' in picture", "'spp'", "width, height"});
+    check_error("source: a\ntarget: b\nrows:\n- label: x\n- lable: y\n", "5:3",
+                {"'lable' in rows[1]", "'label'"});
+    check_error(kShortest + "completely_else: 1\n", "4:1",
+                {"unknown key 'completely_else'", "Allowed: title, source"});
+    check_error("source: {shape: star, rotation: {axes: [1,0,0]}}\n", "1:35",
+                {"'axes' in source.rotation", "'axis'"});
 }
 
 TEST_CASE("a value of the wrong type is refused where it stands") {
@@ -134,37 +143,47 @@ TEST_CASE("a value of the wrong type is refused where it stands") {
                 {"picture.spp: found 'many', expected an integer from 1 to 65536"});
     check_error(kShortest + "picture: {spp: \"16\"}\n", "4:16", {"found '16', expected an integer"});
     check_error(kShortest + "picture: {spp: 1.5}\n", "4:16", {"found '1.5', expected an integer"});
-    check_error(kShortest + "picture: {fov: [1]}\n", "4:16", {"picture.fov: found a list of 1, expected a number"});
+    check_error(kShortest + "picture: {fov: [1]}\n", "4:16",
+                {"picture.fov: found a list of 1, expected a number"});
     check_error(kShortest + "picture: {fov: .nan}\n", "4:16", {"found '.nan'"});
     check_error(kShortest + "picture: {fov: nan}\n", "4:16", {"found 'nan'"});
     check_error(kShortest + "picture: {fov: 20x}\n", "4:16", {"found '20x'"});
     check_error(kShortest + "picture: 5\n", "4:10", {"picture: found '5', expected a mapping of width"});
-    check_error(kShortest + "picture: {view: [1, 2]}\n", "4:17", {"found a list of 2, expected a list of 3 numbers"});
+    check_error(kShortest + "picture: {view: [1, 2]}\n", "4:17",
+                {"found a list of 2, expected a list of 3 numbers"});
     check_error(kShortest + "picture: {view: [1, x, 2]}\n", "4:21", {"picture.view[1]: found 'x'"});
-    check_error(kShortest + "alphas: 0\n", "4:9", {"alphas: found '0', expected a list of numbers, each from 0 to 1"});
+    check_error(kShortest + "alphas: 0\n", "4:9",
+                {"alphas: found '0', expected a list of numbers, each from 0 to 1"});
     check_error(kShortest + "alphas: []\n", "4:9", {"found a list of 0"});
     check_error(kShortest + "title: [a]\n", "4:8", {"title: found a list of 1, expected text"});
     check_error(kShortest + "title:\n", "4:7", {"title: found nothing, expected text"});
-    check_error("source: a\ntarget: b\nrows: {label: x}\n", "3:7", {"rows: expected a list of at least one mapping"});
+    check_error("source: a\ntarget: b\nrows: {label: x}\n", "3:7",
+                {"rows: expected a list of at least one mapping"});
     check_error("source: a\ntarget: b\nrows: []\n", "3:7", {"rows: expected a list of at least one mapping"});
-    check_error("source: a\ntarget: b\nrows: [one]\n", "3:8", {"rows[0]: found 'one', expected a mapping of label"});
-    check_error("source: a\ntarget: b\nrows: [{label: x, lift: yes}]\n", "3:25", {"found 'yes', expected true or false"});
+    check_error("source: a\ntarget: b\nrows: [one]\n", "3:8",
+                {"rows[0]: found 'one', expected a mapping of label"});
+    check_error("source: a\ntarget: b\nrows: [{label: x, lift: yes}]\n", "3:25",
+                {"found 'yes', expected true or false"});
     check_error("source: [a]\ntarget: b\nrows: [{label: x}]\n", "1:9", {"source: found a list of 1"});
     check_error("- a\n- b\n", "1:1", {"the config: found a list of 2, expected a mapping of title, source"});
 }
 
 TEST_CASE("a value outside its range or choice is refused with what is allowed") {
-    check_error(kShortest + "picture: {spp: 0}\n", "4:16", {"found '0', expected an integer from 1 to 65536"});
+    check_error(kShortest + "picture: {spp: 0}\n", "4:16",
+                {"found '0', expected an integer from 1 to 65536"});
     check_error(kShortest + "picture: {spp: -3}\n", "4:16", {"found '-3'"});
-    check_error(kShortest + "picture: {albedo: [0, 1, 1.01]}\n", "4:26", {"albedo[2]: found '1.01'", "from 0 to 1"});
+    check_error(kShortest + "picture: {albedo: [0, 1, 1.01]}\n", "4:26",
+                {"albedo[2]: found '1.01'", "from 0 to 1"});
     check_error(kShortest + "alphas: [0, 1.5]\n", "4:13", {"alphas[1]: found '1.5'", "from 0 to 1"});
     check_error(kShortest + "alphas: [0, 1/0]\n", "4:13", {"alphas[1]: found '1/0'"});
-    check_error(kShortest + "alphas: [0, 0.5, 0.5]\n", "4:18", {"alphas[2]: found 0.5 after 0.5, expected ascending"});
+    check_error(kShortest + "alphas: [0, 0.5, 0.5]\n", "4:18",
+                {"alphas[2]: found 0.5 after 0.5, expected ascending"});
     check_error(kShortest + "seed: 18446744073709551616\n", "4:7", {"found '18446744073709551616'"});
     check_error("source: a\ntarget: b\nrows: [{label: x, interpolation: slurp}]\n", "3:34",
                 {"rows[0].interpolation: found 'slurp', expected one of linear, rigid-linear, slerp",
                  "did you mean 'slerp'?"});
-    check_error("source: {shape: cube}\n", "1:17", {"source.shape: found 'cube', expected one of ellipsoid, star"});
+    check_error("source: {shape: cube}\n", "1:17",
+                {"source.shape: found 'cube', expected one of ellipsoid, star"});
     check_error("source: {shape: ellipsoid, semi_axes: [1, 0, 1]}\n", "1:43", {"semi_axes[1]: found '0'"});
 }
 
@@ -174,18 +193,24 @@ TEST_CASE("keys that contradict each other are refused") {
     check_error("source: {scale: 2}\ntarget: b\nrows: [{label: x}]\n", "1:9", {"found neither"});
     check_error("source: {shape: ellipsoid, arms: 5}\n", "1:28",
                 {"source.arms has a meaning only beside 'shape: star'"});
-    check_error("source: {file: a.off, triangles: 100}\n", "1:23", {"source.triangles has a meaning only beside 'shape'"});
-    check_error("source: {shape: star, inner: 2}\n", "1:23", {"source.inner: found 2, expected at most 'outer'"});
-    check_error("source: {shape: star, rotation: {axis: [0, 0, 0]}}\n", "1:34", {"axis: found a vector of length 0"});
+    check_error("source: {file: a.off, triangles: 100}\n", "1:23",
+                {"source.triangles has a meaning only beside 'shape'"});
+    check_error("source: {shape: star, inner: 2}\n", "1:23",
+                {"source.inner: found 2, expected at most 'outer'"});
+    check_error("source: {shape: star, rotation: {axis: [0, 0, 0]}}\n", "1:34",
+                {"axis: found a vector of length 0"});
     check_error(kShortest + "picture: {view: [0, 0, 0]}\n", "4:11", {"view: found a vector of length 0"});
-    check_error(kShortest + "picture: {view: [0, 3, 0]}\n", "4:11", {"picture.up: found a vector parallel to 'view'"});
-    check_error(kShortest + "picture: {up: [0, 0, 5]}\n", "4:11", {"picture.up: found a vector parallel to 'view'"});
+    check_error(kShortest + "picture: {view: [0, 0, 3]}\n", "4:11",
+                {"picture.up: found a vector parallel to 'view'"});
+    check_error(kShortest + "picture: {up: [0, -4, 1]}\n", "4:11",
+                {"picture.up: found a vector parallel to 'view'"});
 }
 
 TEST_CASE("a missing or repeated key is refused") {
     check_error("target: b\nrows: [{label: x}]\n", "1:1", {"'source' is missing in the config", "alpha = 0"});
     check_error("source: a\ntarget: b\n", "1:1", {"'rows' is missing"});
-    check_error("source: a\ntarget: b\nrows:\n  - alignment: none\n", "4:5", {"'label' is missing in rows[0]"});
+    check_error("source: a\ntarget: b\nrows:\n  - alignment: none\n", "4:5",
+                {"'label' is missing in rows[0]"});
     check_error(kShortest + "seed: 1\nseed: 2\n", "5:1", {"'seed' is given twice in the config"});
     check_error("", "1:1", {"found nothing"});
     check_error("# only a comment\n", "1:1", {"found nothing"});
@@ -230,13 +255,15 @@ TEST_CASE("the table documents every key once, with a meaning, and its defaults 
         CHECK_FALSE((key.required && !key.fallback.empty()));
         CHECK(explain_config().find(key.path + "\n    " + key.meaning) != std::string::npos);
     }
-    for (const char* path : {"title", "source.star", "rows[].label", "picture.spp", "target.rotation.axis", "alphas"}) {
+    for (const char* path :
+         {"title", "source.star", "rows[].label", "picture.spp", "target.rotation.axis", "alphas"}) {
         CHECK(paths.count(path) == (std::string(path) != "source.star"));
     }
     // Written out as a config, the defaults of `picture` change nothing.
     std::string text = kShortest + "picture:\n";
     for (const ConfigKey& key : config_keys()) {
-        if (key.path.rfind("picture.", 0) == 0) text += "  " + key.path.substr(8) + ": " + key.fallback + "\n";
+        if (key.path.rfind("picture.", 0) == 0)
+            text += "  " + key.path.substr(8) + ": " + key.fallback + "\n";
     }
     const PictureConfig written = parse(text).picture, built;
     CHECK(written.width == built.width);
