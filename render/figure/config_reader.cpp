@@ -169,21 +169,30 @@ void check_keys(const YAML::Node& node, const std::vector<const ConfigKey*>& key
         const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : "";
         const auto known = std::find(names.begin(), names.end(), name);
         if (known == names.end()) {
-            place.fail(entry.first.Mark(), fmt::format("unknown key '{}' in {}{} Allowed: {}", name, where,
-                                                       suggestion(name, names), fmt::join(names, ", ")));
+            place.fail(entry.first.Mark(),
+                       fmt::format("unknown key '{}' in {}{}; allowed are {}", name, where,
+                                   suggestion(name, names), fmt::join(names, ", ")));
         }
         if (std::find(seen.begin(), seen.end(), name) != seen.end()) {
             place.fail(entry.first.Mark(), fmt::format("'{}' is given twice in {}", name, where));
         }
         seen.push_back(name);
         const ConfigKey& key = *keys[static_cast<std::size_t>(known - names.begin())];
+        if (entry.second.IsNull()) {  // its own mark is the next token's
+            place.fail(entry.first.Mark(),
+                       fmt::format("{}: found nothing, expected {}", place.at(name), allowed_values(key)));
+        }
         if (!key.only_with.empty() && !holds(node, key.only_with)) {
             place.fail(entry.first.Mark(),
                        fmt::format("{} has a meaning only beside '{}'", place.at(name), key.only_with));
         }
     }
+}
+
+void check_required(const YAML::Node& node, const std::vector<const ConfigKey*>& keys, const Place& place) {
+    const std::string where = place.path.empty() ? "the config" : place.path;
     for (const ConfigKey* key : keys) {
-        if (key->required && std::find(seen.begin(), seen.end(), key->path) == seen.end()) {
+        if (key->required && !node[key->path]) {
             place.fail(node.Mark(), fmt::format("'{}' is missing in {}: {}", key->path, where, key->meaning));
         }
     }

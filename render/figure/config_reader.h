@@ -51,10 +51,12 @@ bool read_boolean(const YAML::Node& node, const ConfigKey& key, const Place& pla
 std::vector<double> read_numbers(const YAML::Node& node, const ConfigKey& key, const Place& place);
 std::size_t read_choice(const YAML::Node& node, const ConfigKey& key, const Place& place);
 
-/// Checks that the node is a mapping of known keys, each once, with its `only_with` met and all required ones
-/// there.
+/// Checks that the node is a mapping of known keys, each once, with a value and its `only_with` met.
 /// @throws ConfigError
 void check_keys(const YAML::Node& node, const std::vector<const ConfigKey*>& keys, const Place& place);
+
+/// Checks that all required keys are there. @throws ConfigError
+void check_required(const YAML::Node& node, const std::vector<const ConfigKey*>& keys, const Place& place);
 
 /// A shortest text that reads back to the same number.
 std::string number_text(double value);
@@ -65,7 +67,6 @@ YAML::Mark mark_of(const YAML::Node& mapping, const std::string& name);
 
 template <class T>
 void read_section(T& into, const YAML::Node& node, const Section<T>& section, const Place& place) {
-    YAML::Node mapping = node;
     if (node.IsScalar() && !section.shorthand.empty()) {
         for (const Key<T>& key : section.keys) {
             if (key.info.path == section.shorthand) key.read(into, node, place);
@@ -77,6 +78,7 @@ void read_section(T& into, const YAML::Node& node, const Section<T>& section, co
         for (const Key<T>& key : section.keys) {
             if (const YAML::Node value = node[key.info.path]) key.read(into, value, place);
         }
+        check_required(node, known, place);
     }
     if (section.check) section.check(into, node, place);
 }
