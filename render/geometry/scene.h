@@ -65,7 +65,6 @@ public:
     const EmbreeScene& embree() const { return *embree_; }
 
 private:
-    SceneOptions options_;
     std::vector<TriangleMesh> meshes_;
     std::vector<Material> materials_;
     std::unique_ptr<EmbreeScene> embree_;

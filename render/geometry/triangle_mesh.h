@@ -25,23 +25,27 @@ public:
     /// @throws InvalidMesh if the number of vertices differs
     void move(const Points& V);
 
-    int vertex_count() const { return static_cast<int>(positions_.size() / 3) - 1; }
+    int vertex_count() const { return static_cast<int>((positions_.size() - kPadding) / 3); }
     int triangle_count() const { return static_cast<int>(indices_.size()) / 3; }
-    bool smooth() const { return !normals_.empty(); }
+    bool smooth() const { return smooth_; }
 
     std::array<Vec3, 3> corners(std::uint32_t triangle) const;
-    std::array<Vec3, 3> corner_normals(std::uint32_t triangle) const;  ///< unit. @pre smooth()
+    std::array<Vec3, 3> corner_normals(
+        std::uint32_t triangle) const;  ///< unit, or zero where there is none. @pre smooth()
 
     /// Distance by which rays start off the surface: a few units in the last place of the largest coordinate.
     float ray_offset() const { return ray_offset_; }
 
-    const float* positions() const { return positions_.data(); }  ///< #V x 3, readable 16 bytes past the end
+    const float* positions() const { return positions_.data(); }  ///< #V x 3, readable one float past the end
     const std::uint32_t* indices() const { return indices_.data(); }  ///< #F x 3
 
 private:
+    static constexpr std::size_t kPadding = 1;  // floats after the last vertex: Embree loads 16 bytes at once
+
     std::vector<float> positions_;
     std::vector<std::uint32_t> indices_;
     std::vector<float> normals_;  ///< #V x 3, empty if flat
+    bool smooth_;
     bool given_normals_ = false;
     float ray_offset_ = 0.0f;
 };
