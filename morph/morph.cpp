@@ -11,6 +11,7 @@
 #include "morph/mesh/connectivity.h"
 #include "morph/mesh/errors.h"
 #include "morph/mesh/geometry.h"
+#include "morph/overlay/lift.h"
 #include "morph/parameterization/fill.h"
 #include "morph/registration/registration.h"
 
