@@ -32,14 +32,14 @@ enum class Openings {
 struct MorphOptions {
     Alignment alignment = Alignment::Registration;
     Openings openings = Openings::Reopen;
-    bool lift = true;         ///< curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise
+    bool lift = true;  ///< curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise
     std::uint64_t seed = 1;
 };
 
 /// A mesh that is ready to be morphed, with the file's own vertex numbering kept.
 struct InputMesh {
     Mesh mesh;
-    std::vector<int> vertex_of_file;   ///< per vertex of the file: vertex of `mesh`, -1 if unused
+    std::vector<int> vertex_of_file;  ///< per vertex of the file: vertex of `mesh`, -1 if unused
     MeshReport report;
 };
 
@@ -52,7 +52,7 @@ InputMesh admit_mesh(const Mesh& mesh, const std::string& name = "mesh");
 /// Two shapes with one connectivity.
 class Morph {
 public:
-    const Triangles& triangles() const;                ///< #F x 3, the same for every frame
+    const Triangles& triangles() const;  ///< #F x 3, the same for every frame
     Points frame(double alpha, Interpolation scheme = Interpolation::Slerp) const;  ///< #V x 3
     Mesh mesh(double alpha, Interpolation scheme = Interpolation::Slerp) const;     ///< frame and triangles
 

@@ -9,16 +9,16 @@ namespace automorph {
 /// What was found in a mesh file and done to it.
 struct MeshReport {
     std::string name;
-    int vertices = 0, triangles = 0;   ///< as admitted
+    int vertices = 0, triangles = 0;  ///< as admitted
     int boundary_loops = 0;
     bool closed = false;
-    std::vector<std::string> mended;   ///< one sentence per mending
+    std::vector<std::string> mended;  ///< one sentence per mending
 };
 
 struct RegistrationReport {
     bool used = false;
     std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< source -> target, row by row
-    std::array<double, 3> translation{0, 0, 0};                 ///< target = scale * rotation * source + translation
+    std::array<double, 3> translation{0, 0, 0};  ///< target = scale * rotation * source + translation
     double scale = 1.0;
     double sigma = 0.0, residual = 0.0, runner_up = 0.0;
     int iterations = 0;
@@ -27,15 +27,18 @@ struct RegistrationReport {
 
 /// One map onto the domain.
 struct MapReport {
-    std::string of;          ///< "source", "target", "source half 1", ...
-    std::string weights;     ///< "cotangent", "mean value", "uniform"
-    std::string reason;      ///< why not cotangent; empty otherwise
-    int flipped = 0;         ///< by the exact predicate; 0 always, or the morph fails
+    std::string of;       ///< "source", "target", "source half 1", ...
+    std::string weights;  ///< "cotangent", "mean value", "uniform"
+    std::string reason;   ///< why not cotangent; empty otherwise
+    int flipped = 0;      ///< by the exact predicate; 0 always, or the morph fails
     double p01 = 0, smallest_ratio = 0, residual = 0;
 };
 
 struct OverlayReport {
-    int vertices_a = 0, vertices_b = 0, crossings = 0, coincident = 0, on_edges = 0;
+    int vertices_a = 0, vertices_b = 0, crossings = 0, coincident = 0;
+    int snapped =
+        0;  ///< vertices of the target moved onto one of the source within kSnap; part of `coincident`
+    int on_edges = 0;
     int vertices = 0, triangles = 0;
     int zero_area_a = 0, zero_area_b = 0;  ///< merged triangles without area in 3D on either shape
 };
@@ -43,7 +46,7 @@ struct OverlayReport {
 struct StageReport {
     std::string name;
     double seconds = 0;
-    double peak_memory_mb = 0;   ///< of the process, at the end of the stage
+    double peak_memory_mb = 0;  ///< of the process, at the end of the stage
 };
 
 /// Everything a morph says about itself. Serialised by report_json().
@@ -51,11 +54,12 @@ struct Report {
     MeshReport source, target;
     RegistrationReport registration;
     std::vector<MapReport> maps;
-    std::vector<OverlayReport> overlays;   ///< one, or one per half
-    std::string domain;                    ///< "disk" or "cut into two disks"
-    bool target_reversed = false;          ///< the target's border ran the other way, Eq. (8): its triangles were turned
-    int reopened_triangles = 0;            ///< merged triangles removed because they lie in filled openings
-    std::vector<std::string> notes;        ///< what the user should know, one sentence each
+    std::vector<OverlayReport> overlays;  ///< one, or one per half
+    std::string domain;                   ///< "disk" or "cut into two disks"
+    bool target_reversed =
+        false;  ///< the target's border ran the other way, Eq. (8): its triangles were turned
+    int reopened_triangles = 0;      ///< merged triangles removed because they lie in filled openings
+    std::vector<std::string> notes;  ///< what the user should know, one sentence each
     std::vector<StageReport> stages;
 };
 

@@ -17,9 +17,10 @@ Connectivity connectivity(const Triangles& F, int vertex_count) {
         const auto added = topology.add_face(OpenMesh::VertexHandle(F(f, 0)), OpenMesh::VertexHandle(F(f, 1)),
                                              OpenMesh::VertexHandle(F(f, 2)));
         if (!added.is_valid()) {
-            throw InvalidMesh(fmt::format(
-                "triangle {} ({} {} {}) does not fit its neighbours: the mesh is not a consistently oriented manifold",
-                f, F(f, 0), F(f, 1), F(f, 2)));
+            throw InvalidMesh(
+                fmt::format("triangle {} ({} {} {}) does not fit its neighbours: the mesh is not a "
+                            "consistently oriented manifold",
+                            f, F(f, 0), F(f, 1), F(f, 2)));
         }
     }
     return topology;

@@ -16,7 +16,8 @@ struct InvalidMesh : Error {
     using Error::Error;
 };
 
-/// A file cannot be read or written, or its content is malformed (message starts with `file:line:` or `file:`).
+/// A file cannot be read or written, or its content is malformed (message starts with `file:line:` or
+/// `file:`).
 struct IoError : Error {
     using Error::Error;
 };

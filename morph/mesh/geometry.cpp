@@ -8,7 +8,9 @@ namespace automorph {
 
 namespace {
 
-Eigen::Vector3d corner(const Mesh& mesh, int triangle, int k) { return mesh.V.row(mesh.F(triangle, k)); }
+Eigen::Vector3d corner(const Mesh& mesh, int triangle, int k) {
+    return mesh.V.row(mesh.F(triangle, k));
+}
 
 Eigen::Vector3d area_vector(const Mesh& mesh, int f) {
     const Eigen::Vector3d p = corner(mesh, f, 0);

@@ -16,8 +16,8 @@ Eigen::Vector3d centre_of_mass(const Mesh& mesh);
 /// A third of the area of the incident triangles, per vertex (#V).
 Eigen::VectorXd vertex_areas(const Mesh& mesh);
 
-/// Unit vertex normals (#V x 3), weighted by the angle of each incident triangle (Thuermer and Wuethrich 1998).
-/// A vertex whose incident triangles all have zero area gets the zero vector.
+/// Unit vertex normals (#V x 3), weighted by the angle of each incident triangle (Thuermer and Wuethrich
+/// 1998). A vertex whose incident triangles all have zero area gets the zero vector.
 Points vertex_normals(const Mesh& mesh);
 
 /// Signed volume enclosed by a closed mesh; positive when the triangles face outwards.

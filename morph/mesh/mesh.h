@@ -5,7 +5,8 @@
 namespace automorph {
 
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;  ///< #V x 3, row = vertex
-using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;  ///< #F x 3, indices into the rows of V
+using Triangles =
+    Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;  ///< #F x 3, indices into the rows of V
 
 /// An indexed triangle mesh. Triangles are counter-clockwise seen from outside. Units are the file's own.
 struct Mesh {

@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "morph/mesh/errors.h"
+#include "morph/mesh/io.h"
+
+namespace automorph {
+
+namespace {
+
+void append_off(const Mesh& mesh, fmt::memory_buffer& out) {
+    const auto to = std::back_inserter(out);
+    fmt::format_to(to, "OFF\n{} {} 0\n", mesh.vertex_count(), mesh.triangle_count());
+    for (const auto& p : mesh.V.rowwise()) fmt::format_to(to, "{} {} {}\n", p[0], p[1], p[2]);
+    for (const auto& t : mesh.F.rowwise()) fmt::format_to(to, "3 {} {} {}\n", t[0], t[1], t[2]);
+}
+
+void append_obj(const Mesh& mesh, fmt::memory_buffer& out) {
+    const auto to = std::back_inserter(out);
+    for (const auto& p : mesh.V.rowwise()) fmt::format_to(to, "v {} {} {}\n", p[0], p[1], p[2]);
+    for (const auto& t : mesh.F.rowwise()) fmt::format_to(to, "f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
+}
+
+/// Appends the bytes of a value, least significant first.
+template <class T>
+void append_little_endian(fmt::memory_buffer& out, T value) {
+    char raw[sizeof(T)];
+    std::memcpy(raw, &value, sizeof(T));
+    if constexpr (std::endian::native == std::endian::big) std::reverse(raw, raw + sizeof(T));
+    out.append(raw, raw + sizeof(T));
+}
+
+void append_ply(const Mesh& mesh, fmt::memory_buffer& out) {
+    fmt::format_to(
+        std::back_inserter(out),
+        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\n"
+        "property double z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
+        mesh.vertex_count(), mesh.triangle_count());
+    for (Eigen::Index i = 0; i < mesh.V.size(); ++i) append_little_endian(out, mesh.V.data()[i]);
+    for (const auto& t : mesh.F.rowwise()) {
+        out.push_back(3);
+        for (int k = 0; k < 3; ++k) append_little_endian(out, static_cast<std::int32_t>(t[k]));
+    }
+}
+
+void append_stl(const Mesh& mesh, fmt::memory_buffer& out) {
+    char header[80] = "binary STL";  // must not begin with "solid"
+    out.append(header, header + sizeof(header));
+    append_little_endian(out, static_cast<std::uint32_t>(mesh.triangle_count()));
+    for (const auto& t : mesh.F.rowwise()) {
+        const Eigen::RowVector3d a = mesh.V.row(t[0]), b = mesh.V.row(t[1]), c = mesh.V.row(t[2]);
+        Eigen::RowVector3d n = (b - a).cross(c - a);
+        const double length = n.norm();
+        n = length > 0.0 && std::isfinite(length) ? Eigen::RowVector3d(n / length)
+                                                  : Eigen::RowVector3d(0, 0, 0);
+        for (const Eigen::RowVector3d& row : {n, a, b, c}) {
+            for (int k = 0; k < 3; ++k) append_little_endian(out, static_cast<float>(row[k]));
+        }
+        append_little_endian(out, std::uint16_t{0});
+    }
+}
+
+void check_coordinates(const std::string& name, const Mesh& mesh, double largest) {
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        for (int k = 0; k < 3; ++k) {
+            if (!(std::abs(mesh.V(v, k)) <= largest)) {
+                throw IoError(
+                    fmt::format("{}: not written: vertex {} is ({} {} {}), which the format cannot hold",
+                                name, v, mesh.V(v, 0), mesh.V(v, 1), mesh.V(v, 2)));
+            }
+        }
+    }
+}
+
+/// Writes aside and renames; on any failure the partial file is removed.
+void write_bytes(const std::filesystem::path& file, const fmt::memory_buffer& bytes) {
+    std::filesystem::path aside = file;
+    aside += fmt::format(".{}.part", static_cast<long>(getpid()));
+    std::error_code error;
+    std::ofstream out(aside, std::ios::binary | std::ios::trunc);
+    if (!out) {
+        throw IoError(fmt::format("{}: cannot be written: {}; check that its folder exists and is writable",
+                                  file.string(), std::strerror(errno)));
+    }
+    errno = 0;
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    if (!out) {
+        const int reason = errno;
+        std::filesystem::remove(aside, error);
+        throw IoError(fmt::format("{}: cannot be written: {}", file.string(),
+                                  reason != 0 ? std::strerror(reason) : "the disk may be full"));
+    }
+    std::filesystem::rename(aside, file, error);
+    if (error) {
+        const std::string reason = error.message();
+        std::filesystem::remove(aside, error);
+        throw IoError(fmt::format("{}: cannot be written: {}", file.string(), reason));
+    }
+}
+
+}  // namespace
+
+void write_mesh(const std::filesystem::path& file, const Mesh& mesh) {
+    assert(mesh.F.size() == 0 || (mesh.F.minCoeff() >= 0 && mesh.F.maxCoeff() < mesh.vertex_count()));
+    std::string extension = file.extension().string();
+    for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    fmt::memory_buffer out;
+    if (!is_mesh_file(file)) {
+        throw IoError(fmt::format("{}: not a known kind of mesh file; known are .off, .obj, .ply and .stl",
+                                  file.string()));
+    }
+    check_coordinates(
+        file.string(), mesh,
+        extension == ".stl" ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max());
+    if (extension == ".off") append_off(mesh, out);
+    if (extension == ".obj") append_obj(mesh, out);
+    if (extension == ".ply") append_ply(mesh, out);
+    if (extension == ".stl") append_stl(mesh, out);
+    write_bytes(file, out);
+}
+
+PolygonSoup polygon_soup(const Mesh& mesh) {
+    PolygonSoup soup;
+    soup.V = mesh.V;
+    soup.polygon_vertices.assign(mesh.F.data(), mesh.F.data() + mesh.F.size());
+    soup.polygon_start.resize(static_cast<std::size_t>(mesh.triangle_count()) + 1);
+    for (std::size_t f = 0; f < soup.polygon_start.size(); ++f)
+        soup.polygon_start[f] = static_cast<int>(3 * f);
+    return soup;
+}
+
+}  // namespace automorph

@@ -1,0 +1,328 @@
+#include "morph/morph.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "morph/cut/cut.h"
+#include "morph/merge_disks.h"
+#include "morph/mesh/admit.h"
+#include "morph/mesh/connectivity.h"
+#include "morph/mesh/errors.h"
+#include "morph/mesh/geometry.h"
+#include "morph/overlay/lift.h"
+#include "morph/parameterization/fill.h"
+#include "morph/registration/registration.h"
+
+namespace automorph {
+
+namespace {
+
+Site vertex_site(int v) {
+    return {{v, -1, -1}, {1.0, 0.0, 0.0}, 1};
+}
+
+InputMesh input_mesh(const PolygonSoup& soup, const std::string& name) {
+    AdmittedMesh admitted = admit(soup, name);
+    InputMesh input;
+    input.report = {.name = name,
+                    .vertices = admitted.mesh.vertex_count(),
+                    .triangles = admitted.mesh.triangle_count(),
+                    .boundary_loops = admitted.admitted.boundary_loops,
+                    .closed = admitted.admitted.closed,
+                    .mended = std::move(admitted.mended)};
+    input.mesh = std::move(admitted.mesh);
+    input.vertex_of_file = std::move(admitted.vertex_of_file);
+    return input;
+}
+
+RegistrationReport registration_report(const Registration& registration, bool used) {
+    RegistrationReport report;
+    report.used = used;
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(report.rotation.data()) = registration.R;
+    Eigen::Map<Eigen::Vector3d>(report.translation.data()) = registration.t;
+    report.scale = registration.scale;
+    report.sigma = registration.sigma;
+    report.residual = registration.residual;
+    report.runner_up = registration.runner_up;
+    report.iterations = registration.iterations;
+    report.converged = registration.converged;
+    report.confident = registration.confident;
+    return report;
+}
+
+/// Computes one morph; the members are what its steps hand on.
+class Computation {
+public:
+    Computation(const InputMesh& source, const InputMesh& target, const MorphOptions& options, Report& report)
+        : source_(source), target_(target), options_(options), report_(report) {
+        report_.source = source.report;
+        report_.target = target.report;
+        report_.registration = registration_report(registration_, false);
+    }
+
+    void run() {
+        if (source_.report.closed != target_.report.closed) {
+            throw InvalidMesh(
+                fmt::format("{} is {} and {} is {}: both must be open or both closed; cut an opening into "
+                            "the closed one or close the other",
+                            source_.report.name, source_.report.closed ? "closed" : "open",
+                            target_.report.name, target_.report.closed ? "closed" : "open"));
+        }
+        if (options_.alignment == Alignment::Registration) register_shapes();
+        if (source_.report.closed) {
+            merge_closed();
+        } else {
+            merge_open();
+        }
+        place_ends();
+    }
+
+    Triangles triangles;
+    Endpoints ends;
+    Points correspondence;
+
+private:
+    /// Sec. 4.1.
+    void register_shapes() {
+        const StageClock clock(report_, "registration");
+        registration_ = register_rigid(source_.mesh, target_.mesh, {.seed = options_.seed});
+        report_.registration = registration_report(registration_, true);
+        if (!registration_.confident) {
+            report_.notes.push_back(
+                fmt::format("the registration is unsure: another pose fits nearly as well (residual {:.4f} "
+                            "against {:.4f}); check the first picture",
+                            registration_.residual, registration_.runner_up));
+        }
+    }
+
+    /// Sec. 4.2: the longest loop is the border; further openings are filled for the map.
+    void merge_open() {
+        report_.domain = "disk";
+        Mesh target_mesh = target_.mesh;
+        std::vector<std::vector<int>> source_loops = loops(source_.mesh), target_loops = loops(target_mesh);
+        BorderControl control;  // Section 3 alone: an arbitrary start, the mesh's own direction
+        if (options_.alignment == Alignment::Registration) {
+            const StageClock clock(report_, "border");
+            control = registered_control(source_.mesh, source_loops[0], target_mesh, target_loops[0],
+                                         registration_);
+        }
+        if (control.target_reversed) {
+            ReversedTarget reversed = reversed_target(target_mesh, target_loops[0], control);
+            target_mesh = std::move(reversed.mesh);
+            control = reversed.control;
+            target_loops = loops(target_mesh);
+            target_loops[0] = std::move(reversed.loop);
+            report_.target_reversed = true;
+            report_.notes.push_back(
+                "the target's border runs the other way round (Eq. 8): its triangles were turned");
+        }
+        source_shape_ = open_shape(source_.mesh, source_loops);
+        target_shape_ = open_shape(target_mesh, target_loops);
+        const Disk a = whole(source_shape_, source_loops[0]), b = whole(target_shape_, target_loops[0]);
+        const BorderUnion border = border_union(loop_points(a), loop_points(b), control);
+        merged_ = merge_disks(source_shape_, a, target_shape_, b, border, options_.lift, "", report_);
+        open_fillings();
+    }
+
+    /// Sec. 6: a plane cuts both shapes into halves that share the cut as border.
+    void merge_closed() {
+        report_.domain = "cut into two disks";
+        source_shape_ = closed_shape(source_.mesh);
+        target_shape_ = closed_shape(target_.mesh);
+        CutMesh source_cut, target_cut;
+        BorderControl control;
+        {
+            const StageClock clock(report_, "cut");
+            const CutPlanes planes = options_.alignment == Alignment::Registration
+                                         ? choose_cut(source_.mesh, target_.mesh, registration_)
+                                         : unregistered_cut(source_.mesh, target_.mesh);
+            source_cut = cut(source_.mesh, planes.source);
+            target_cut = cut(target_.mesh, planes.target);
+            if (options_.alignment == Alignment::Registration) {
+                // Both halves face outwards, so the direction is known.
+                control =
+                    registered_control(source_cut.halves[0].mesh, source_cut.halves[0].loop,
+                                       target_cut.halves[0].mesh, target_cut.halves[0].loop, registration_);
+                control.target_reversed = false;
+            }
+        }
+        const Disk a0 = half(source_cut, 0), a1 = half(source_cut, 1), b0 = half(target_cut, 0),
+                   b1 = half(target_cut, 1);
+        const BorderUnion border = border_union(loop_points(a0), loop_points(b0), control);
+        const MergedDisks first =
+            merge_disks(source_shape_, a0, target_shape_, b0, border, options_.lift, " half 1", report_);
+        const MergedDisks second = merge_disks(source_shape_, a1, target_shape_, b1, mirrored(border),
+                                               options_.lift, " half 2", report_);
+        merged_ = glue(first, second);
+    }
+
+    static std::vector<std::vector<int>> loops(const Mesh& mesh) {
+        return boundary_loops(mesh, connectivity(mesh.F, mesh.vertex_count()));
+    }
+
+    static Points loop_points(const Disk& disk) { return disk.mesh.V(disk.loop, Eigen::all); }
+
+    static Shape open_shape(const Mesh& mesh, const std::vector<std::vector<int>>& all_loops) {
+        Shape shape{mesh, vertex_normals(mesh), mesh.vertex_count()};
+        if (all_loops.size() > 1) {
+            shape.mesh = fill_openings(mesh, {all_loops.begin() + 1, all_loops.end()}).mesh;
+            shape.normals.conservativeResizeLike(Points::Zero(shape.mesh.vertex_count(), 3));
+        }
+        return shape;
+    }
+
+    static Shape closed_shape(const Mesh& mesh) { return {mesh, vertex_normals(mesh), mesh.vertex_count()}; }
+
+    static Disk whole(const Shape& shape, const std::vector<int>& loop) {
+        Disk disk{shape.mesh, loop, {}};
+        for (int v = 0; v < shape.mesh.vertex_count(); ++v) disk.sites.push_back(vertex_site(v));
+        return disk;
+    }
+
+    static Disk half(const CutMesh& cut_mesh, std::size_t which) {
+        const Half& half = cut_mesh.halves[which];
+        Disk disk{half.mesh, half.loop, {}};
+        for (const int v : half.vertex) {
+            if (v >= 0) {
+                disk.sites.push_back(vertex_site(v));
+            } else {
+                const auto& point = cut_mesh.points[static_cast<std::size_t>(-1 - v)];
+                disk.sites.push_back({{point.from, point.to, -1}, {1.0 - point.ratio, point.ratio, 0.0}, 2});
+            }
+        }
+        return disk;
+    }
+
+    /// Two merged halves share their border: vertex k of the first is vertex (n - k) mod n of the second.
+    static MergedDisks glue(const MergedDisks& first, const MergedDisks& second) {
+        MergedDisks all = first;
+        std::vector<int> vertex(second.on_a.size(), -1);
+        const std::size_t n = first.border.size();
+        for (std::size_t k = 0; k < n; ++k) {
+            vertex[static_cast<std::size_t>(second.border[(n - k) % n])] = first.border[k];
+        }
+        for (std::size_t v = 0; v < vertex.size(); ++v) {
+            if (vertex[v] >= 0) continue;
+            vertex[v] = static_cast<int>(all.on_a.size());
+            all.on_a.push_back(second.on_a[v]);
+            all.on_b.push_back(second.on_b[v]);
+        }
+        all.F.conservativeResize(first.F.rows() + second.F.rows(), 3);
+        for (Eigen::Index f = 0; f < second.F.rows(); ++f) {
+            for (int k = 0; k < 3; ++k)
+                all.F(first.F.rows() + f, k) = vertex[static_cast<std::size_t>(second.F(f, k))];
+        }
+        all.in_filling.insert(all.in_filling.end(), second.in_filling.begin(), second.in_filling.end());
+        all.border.clear();
+        return all;
+    }
+
+    /// Filled openings are opened again: merged triangles in a filling of either shape go.
+    void open_fillings() {
+        const auto filled =
+            static_cast<int>(std::count(merged_.in_filling.begin(), merged_.in_filling.end(), 1));
+        if (filled == 0) return;
+        if (options_.openings == Openings::Fill) {
+            report_.notes.push_back(fmt::format("{} merged triangles close openings of the shapes", filled));
+            return;
+        }
+        int kept = 0;
+        for (Eigen::Index f = 0; f < merged_.F.rows(); ++f) {
+            if (!merged_.in_filling[static_cast<std::size_t>(f)])
+                merged_.F.row(kept++) = merged_.F.row(f).eval();
+        }
+        merged_.F.conservativeResize(kept, 3);
+        report_.reopened_triangles = filled;
+        report_.notes.push_back(fmt::format(
+            "openings were filled for the maps; {} merged triangles in them were removed again", filled));
+    }
+
+    void place_ends() {
+        const StageClock clock(report_, "placement");
+        triangles = merged_.F;
+        ends.a = place_on(source_shape_, merged_.on_a, options_.lift);
+        ends.b = place_on(target_shape_, merged_.on_b, options_.lift);
+        ends.R = registration_.R;
+        ends.centre_a = centre_of_mass(source_.mesh);
+        ends.centre_b = centre_of_mass(target_.mesh);
+        place_correspondence();
+    }
+
+    /// Source vertices are merged vertices; their sites on the target say where they go.
+    void place_correspondence() {
+        const Points on_target = place(target_shape_.mesh.V, merged_.on_b);
+        std::vector<int> merged_of(static_cast<std::size_t>(source_shape_.mesh.vertex_count()), -1);
+        for (std::size_t x = 0; x < merged_.on_a.size(); ++x) {
+            if (merged_.on_a[x].count == 1)
+                merged_of[static_cast<std::size_t>(merged_.on_a[x].corners[0])] = static_cast<int>(x);
+        }
+        correspondence.resize(static_cast<Eigen::Index>(source_.vertex_of_file.size()), 3);
+        correspondence.setConstant(std::numeric_limits<double>::quiet_NaN());
+        for (std::size_t i = 0; i < source_.vertex_of_file.size(); ++i) {
+            const int v = source_.vertex_of_file[i];
+            if (v < 0) continue;
+            correspondence.row(static_cast<Eigen::Index>(i)) =
+                on_target.row(merged_of[static_cast<std::size_t>(v)]);
+        }
+    }
+
+    const InputMesh& source_;
+    const InputMesh& target_;
+    const MorphOptions& options_;
+    Report& report_;
+    Registration registration_;
+    Shape source_shape_, target_shape_;
+    MergedDisks merged_;
+};
+
+}  // namespace
+
+InputMesh load_mesh(const std::string& file) {
+    return input_mesh(read_mesh(file), file);
+}
+
+InputMesh admit_mesh(const Mesh& mesh, const std::string& name) {
+    PolygonSoup soup;
+    soup.V = mesh.V;
+    soup.polygon_vertices.assign(mesh.F.data(), mesh.F.data() + mesh.F.size());
+    for (int f = 0; f <= mesh.triangle_count(); ++f) soup.polygon_start.push_back(3 * f);
+    return input_mesh(soup, name);
+}
+
+const Triangles& Morph::triangles() const {
+    return triangles_;
+}
+
+Points Morph::frame(double alpha, Interpolation scheme) const {
+    return interpolate(ends_, alpha, scheme);
+}
+
+Mesh Morph::mesh(double alpha, Interpolation scheme) const {
+    return {frame(alpha, scheme), triangles_};
+}
+
+Points Morph::correspondence() const {
+    return correspondence_;
+}
+
+const Endpoints& Morph::endpoints() const {
+    return ends_;
+}
+
+const Report& Morph::report() const {
+    return report_;
+}
+
+Morph morph(const InputMesh& source, const InputMesh& target, const MorphOptions& options) {
+    Morph result;
+    Computation computation(source, target, options, result.report_);
+    computation.run();
+    result.triangles_ = std::move(computation.triangles);
+    result.ends_ = std::move(computation.ends);
+    result.correspondence_ = std::move(computation.correspondence);
+    return result;
+}
+
+}  // namespace automorph

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "morph/mesh/mesh.h"
+
+namespace automorph {
+
+/// How good a map is; valid iff `flipped` is 0.
+struct MapQuality {
+    int flipped = 0;              ///< triangles with det <= 0, by the exact predicate
+    double smallest_ratio = 0.0;  ///< smallest (share of the domain) / (share of the surface), both areas
+    double p01 = 0.0;             ///< that ratio below which 1 % of the surface lies; 1 is perfect
+};
+
+/// Measures a map onto the disk. Triangles without area in 3D have no ratio and count for `flipped` only.
+/// @param rays  #V x 3, (x, y, 1)
+MapQuality map_quality(const Mesh& mesh, const Points& rays);
+
+/// Triangles with det <= 0, by the exact predicate; for any rays.
+int flipped_triangles(const Triangles& F, const Points& rays);
+
+}  // namespace automorph

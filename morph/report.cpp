@@ -1,0 +1,75 @@
+#include "morph/report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace automorph {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json(const MeshReport& mesh) {
+    return {{"name", mesh.name},           {"vertices", mesh.vertices},
+            {"triangles", mesh.triangles}, {"boundary_loops", mesh.boundary_loops},
+            {"closed", mesh.closed},       {"mended", mesh.mended}};
+}
+
+Json json(const RegistrationReport& registration) {
+    return {{"used", registration.used},
+            {"rotation", registration.rotation},
+            {"translation", registration.translation},
+            {"scale", registration.scale},
+            {"sigma", registration.sigma},
+            {"residual", registration.residual},
+            {"runner_up", registration.runner_up},
+            {"iterations", registration.iterations},
+            {"converged", registration.converged},
+            {"confident", registration.confident}};
+}
+
+Json json(const MapReport& map) {
+    return {{"of", map.of},
+            {"weights", map.weights},
+            {"reason", map.reason},
+            {"flipped", map.flipped},
+            {"p01", map.p01},
+            {"smallest_ratio", map.smallest_ratio},
+            {"residual", map.residual}};
+}
+
+Json json(const OverlayReport& overlay) {
+    return {{"vertices_a", overlay.vertices_a},   {"vertices_b", overlay.vertices_b},
+            {"crossings", overlay.crossings},     {"coincident", overlay.coincident},
+            {"snapped", overlay.snapped},         {"on_edges", overlay.on_edges},
+            {"vertices", overlay.vertices},       {"triangles", overlay.triangles},
+            {"zero_area_a", overlay.zero_area_a}, {"zero_area_b", overlay.zero_area_b}};
+}
+
+Json json(const StageReport& stage) {
+    return {{"name", stage.name}, {"seconds", stage.seconds}, {"peak_memory_mb", stage.peak_memory_mb}};
+}
+
+template <typename T>
+Json json(const std::vector<T>& list) {
+    Json result = Json::array();
+    for (const T& item : list) result.push_back(json(item));
+    return result;
+}
+
+}  // namespace
+
+std::string report_json(const Report& report) {
+    const Json root = {{"source", json(report.source)},
+                       {"target", json(report.target)},
+                       {"registration", json(report.registration)},
+                       {"domain", report.domain},
+                       {"target_reversed", report.target_reversed},
+                       {"maps", json(report.maps)},
+                       {"overlays", json(report.overlays)},
+                       {"reopened_triangles", report.reopened_triangles},
+                       {"notes", report.notes},
+                       {"stages", json(report.stages)}};
+    return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace automorph
