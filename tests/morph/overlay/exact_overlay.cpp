@@ -1,0 +1,255 @@
+#include "exact_overlay.h"
+
+#include <CGAL/Exact_rational.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+namespace automorph::testing {
+
+namespace {
+
+using Rational = CGAL::Exact_rational;
+using ExactRay = std::array<Rational, 3>;
+using Corners = std::vector<int>;           ///< sorted mesh vertices: 1 vertex, 2 edge, 3 triangle
+using Place = std::pair<Corners, Corners>;  ///< on a, on b
+using FacePair = std::pair<int, int>;
+
+/// One ray per direction: the first coordinate that is not zero becomes +-1.
+ExactRay normalised(ExactRay r) {
+    for (const Rational& lead : r) {
+        if (lead == 0) continue;
+        const Rational scale = lead < 0 ? Rational(-lead) : lead;
+        return {r[0] / scale, r[1] / scale, r[2] / scale};
+    }
+    throw std::logic_error("a zero ray");
+}
+
+Rational det(const ExactRay& a, const ExactRay& b, const ExactRay& c) {
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+           a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+std::vector<ExactRay> exact_rays(const Points& rays) {
+    std::vector<ExactRay> exact;
+    for (int v = 0; v < rays.rows(); ++v)
+        exact.push_back({Rational(rays(v, 0)), Rational(rays(v, 1)), Rational(rays(v, 2))});
+    return exact;
+}
+
+/// The part of the cone `polygon` on the left of the plane through p and q.
+std::vector<ExactRay> clipped(const std::vector<ExactRay>& polygon, const ExactRay& p, const ExactRay& q) {
+    std::vector<ExactRay> kept;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const ExactRay &x = polygon[k], &y = polygon[(k + 1) % polygon.size()];
+        const Rational sx = det(p, q, x), sy = det(p, q, y);
+        if (sx >= 0) kept.push_back(x);
+        if ((sx > 0 && sy < 0) || (sx < 0 && sy > 0)) {
+            const Rational wx = sy < 0 ? Rational(-sy) : sy, wy = sx < 0 ? Rational(-sx) : sx;
+            kept.push_back(normalised({wx * x[0] + wy * y[0], wx * x[1] + wy * y[1], wx * x[2] + wy * y[2]}));
+        }
+    }
+    return kept;
+}
+
+struct Map {
+    const TestMap& map;
+    std::vector<ExactRay> rays;
+    std::array<ExactRay, 3> corners(int f) const {
+        return {rays[map.mesh.F(f, 0)], rays[map.mesh.F(f, 1)], rays[map.mesh.F(f, 2)]};
+    }
+};
+
+/// Sign of det[a b c]: in doubles where that is beyond doubt, else in rationals.
+int sign(const Map& x, int a, int b, const Map& y, int c) {
+    const Ray p = x.map.rays.row(a), q = x.map.rays.row(b), r = y.map.rays.row(c);
+    const double value = p.cross(q).dot(r);
+    if (std::abs(value) > 1e-12 * p.lpNorm<1>() * q.lpNorm<1>() * r.lpNorm<1>()) return value > 0 ? 1 : -1;
+    const Rational exact = det(x.rays[a], x.rays[b], y.rays[c]);
+    return exact > 0 ? 1 : exact < 0 ? -1 : 0;
+}
+
+/// True if an edge of `x` has all of `y` on its right or on it: the interiors do not meet. A filter only.
+bool separated(const Map& x, int fx, const Map& y, int fy) {
+    for (int k = 0; k < 3; ++k) {
+        const int p = x.map.mesh.F(fx, k), q = x.map.mesh.F(fx, (k + 1) % 3);
+        bool outside = true;
+        for (int j = 0; j < 3 && outside; ++j) outside = sign(x, p, q, y, y.map.mesh.F(fy, j)) <= 0;
+        if (outside) return true;
+    }
+    return false;
+}
+
+/// Barycentric coordinates in the flat triangle of the rays, as a Site. @pre x lies in the closed cone
+Site site(const Map& map, int f, const ExactRay& x) {
+    const auto r = map.corners(f);
+    const std::array<Rational, 3> w = {det(x, r[1], r[2]), det(x, r[2], r[0]), det(x, r[0], r[1])};
+    const Rational sum = w[0] + w[1] + w[2];
+    Site site;
+    std::array<std::pair<int, Rational>, 3> order = {std::pair(map.map.mesh.F(f, 0), w[0]),
+                                                     std::pair(map.map.mesh.F(f, 1), w[1]),
+                                                     std::pair(map.map.mesh.F(f, 2), w[2])};
+    std::sort(order.begin(), order.end());
+    for (const auto& [vertex, weight] : order) {
+        if (weight < 0) throw std::logic_error("a clipped corner lies outside its triangle");
+        if (weight == 0) continue;
+        site.corners[site.count] = vertex;
+        site.weights[site.count++] = CGAL::to_double(Rational(weight / sum));
+    }
+    return site;
+}
+
+Corners corners(const Site& site) {
+    Corners result(site.corners, site.corners + site.count);
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+Place place(const Overlay& overlay, int v) {
+    return {corners(overlay.on_a[v]), corners(overlay.on_b[v])};
+}
+
+/// Collects merged vertices; a direction and a place in the meshes must name the same one.
+struct Vertices {
+    Overlay& overlay;
+    std::map<ExactRay, int> by_direction;
+    std::map<Place, int> by_place;
+
+    int add(const ExactRay& x, const Site& on_a, const Site& on_b) {
+        const auto [at, fresh] = by_direction.try_emplace(x, overlay.vertex_count());
+        const auto [same, fresh_place] =
+            by_place.try_emplace(Place(corners(on_a), corners(on_b)), at->second);
+        if (fresh != fresh_place || same->second != at->second)
+            throw std::logic_error("a direction with two places in the meshes: a map is not one-to-one");
+        if (fresh) {
+            overlay.on_a.push_back(on_a);
+            overlay.on_b.push_back(on_b);
+            if (on_a.count == 1) overlay.vertex_of_a[on_a.corners[0]] = at->second;
+            if (on_b.count == 1) overlay.vertex_of_b[on_b.corners[0]] = at->second;
+            overlay.crossings += on_a.count == 2 && on_b.count == 2;
+            overlay.coincident += on_a.count == 1 && on_b.count == 1;
+            overlay.on_edges += on_a.count + on_b.count == 3;
+        }
+        return at->second;
+    }
+};
+
+}  // namespace
+
+Overlay exact_overlay(const TestMap& a, const TestMap& b) {
+    const Map map_a{a, exact_rays(a.rays)}, map_b{b, exact_rays(b.rays)};
+    Overlay overlay;
+    overlay.vertex_of_a.assign(a.rays.rows(), -1);
+    overlay.vertex_of_b.assign(b.rays.rows(), -1);
+    overlay.polygon_start.push_back(0);
+    Vertices vertices{overlay, {}, {}};
+    for (int fa = 0; fa < a.mesh.triangle_count(); ++fa) {
+        for (int fb = 0; fb < b.mesh.triangle_count(); ++fb) {
+            if (separated(map_a, fa, map_b, fb) || separated(map_b, fb, map_a, fa)) continue;
+            const auto of_a = map_a.corners(fa), of_b = map_b.corners(fb);
+            std::vector<ExactRay> polygon;
+            for (const ExactRay& r : of_a) polygon.push_back(normalised(r));
+            for (int k = 0; k < 3; ++k) polygon = clipped(polygon, of_b[k], of_b[(k + 1) % 3]);
+            if (polygon.size() < 3) continue;
+            for (const ExactRay& x : polygon)
+                overlay.polygon_vertices.push_back(vertices.add(x, site(map_a, fa, x), site(map_b, fb, x)));
+            overlay.polygon_start.push_back(static_cast<int>(overlay.polygon_vertices.size()));
+            overlay.face_of_a.push_back(fa);
+            overlay.face_of_b.push_back(fb);
+        }
+    }
+    return overlay;
+}
+
+namespace {
+
+/// The faces with their corners as places, each cycle starting at its smallest place.
+std::map<FacePair, std::vector<Place>> face_cycles(const Overlay& overlay) {
+    std::map<FacePair, std::vector<Place>> faces;
+    for (int f = 0; f < overlay.face_count(); ++f) {
+        std::vector<Place> cycle;
+        for (int k = overlay.polygon_start[f]; k < overlay.polygon_start[f + 1]; ++k)
+            cycle.push_back(place(overlay, overlay.polygon_vertices[k]));
+        std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+        faces[{overlay.face_of_a[f], overlay.face_of_b[f]}] = cycle;
+    }
+    return faces;
+}
+
+std::string text(const Place& place) {
+    std::ostringstream out;
+    out << "a(";
+    for (const int v : place.first) out << ' ' << v;
+    out << " ) b(";
+    for (const int v : place.second) out << ' ' << v;
+    out << " )";
+    return out.str();
+}
+
+/// Largest relative difference of the weights of two sites with the same corners.
+double weight_error(const Site& found, const Site& expected) {
+    double error = 0;
+    for (int k = 0; k < found.count; ++k)
+        for (int j = 0; j < expected.count; ++j)
+            if (found.corners[k] == expected.corners[j])
+                error =
+                    std::max(error, std::abs(found.weights[k] - expected.weights[j]) / expected.weights[j]);
+    return error;
+}
+
+}  // namespace
+
+std::string difference(const Overlay& found, const Overlay& expected) {
+    std::ostringstream out;
+    const auto count = [&](const char* what, int is, int should) {
+        if (is != should) out << what << ": " << is << " instead of " << should << '\n';
+    };
+    count("merged vertices", found.vertex_count(), expected.vertex_count());
+    count("merged faces", found.face_count(), expected.face_count());
+    count("crossings", found.crossings, expected.crossings);
+    count("coincident", found.coincident, expected.coincident);
+    count("on edges", found.on_edges, expected.on_edges);
+
+    int reports = 0;
+    std::map<Place, int> missing;
+    for (int v = 0; v < expected.vertex_count(); ++v) missing[place(expected, v)] = v;
+    for (int v = 0; v < found.vertex_count(); ++v) {
+        const auto at = missing.find(place(found, v));
+        if (at == missing.end()) {
+            if (++reports < 10)
+                out << "unexpected or double vertex " << v << " at " << text(place(found, v)) << '\n';
+            continue;
+        }
+        const double error = std::max(weight_error(found.on_a[v], expected.on_a[at->second]),
+                                      weight_error(found.on_b[v], expected.on_b[at->second]));
+        if (!(error <= kWeightTolerance) && ++reports < 10)
+            out << "weights of vertex " << v << " at " << text(at->first) << " are off by " << error << '\n';
+        missing.erase(at);
+    }
+    for (const auto& [at, v] : missing)
+        if (++reports < 10) out << "missing vertex at " << text(at) << '\n';
+
+    const auto faces = face_cycles(found), wanted = face_cycles(expected);
+    for (const auto& [pair, cycle] : wanted) {
+        const auto at = faces.find(pair);
+        if (at != faces.end() && at->second == cycle) continue;
+        if (++reports >= 10) continue;
+        out << "face (" << pair.first << ", " << pair.second << ") should be";
+        for (const Place& corner : cycle) out << "  " << text(corner);
+        out << (at == faces.end() ? "; is missing" : "; is");
+        if (at != faces.end())
+            for (const Place& corner : at->second) out << "  " << text(corner);
+        out << '\n';
+    }
+    for (const auto& [pair, cycle] : faces)
+        if (!wanted.count(pair) && ++reports < 10)
+            out << "unexpected face (" << pair.first << ", " << pair.second << ")\n";
+    return out.str();
+}
+
+}  // namespace automorph::testing
