@@ -287,7 +287,7 @@ InputMesh admit_mesh(const Mesh& mesh, const std::string& name) {
     PolygonSoup soup;
     soup.V = mesh.V;
     soup.polygon_vertices.assign(mesh.F.data(), mesh.F.data() + mesh.F.size());
-    for (int f = 0; f <= mesh.triangle_count(); ++f) soup.polygon_start.push_back(3 * f);
+    for (int f = 1; f <= mesh.triangle_count(); ++f) soup.polygon_start.push_back(3 * f);
     return input_mesh(soup, name);
 }
 
