@@ -134,12 +134,9 @@ int baseline(int y, const Box& box, VerticalAlign how) {
 
 void blend(Image& image, int x, int y, float coverage, const Color& color) {
     if (x < 0 || y < 0 || x >= image.width || y >= image.height) return;
-    const auto pixel =
-        static_cast<std::size_t>(image.channels) *
-        (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+    float* pixel = image.at(x, y);
     for (int channel = 0; channel < std::min(3, image.channels); ++channel) {
-        float& value = image.pixels[pixel + static_cast<std::size_t>(channel)];
-        value += coverage * (color[channel] - value);
+        pixel[channel] += coverage * (color[channel] - pixel[channel]);
     }
 }
 
