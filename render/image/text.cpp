@@ -28,47 +28,55 @@ std::string find_font(const TextStyle& style) {
         if (std::filesystem::is_regular_file(font)) return font;
     }
     throw IoError(
-        fmt::format("{}: the font is missing; install the package fonts-dejavu-core or set AUTOMORPH_FONT "
-                    "to a TrueType file",
+        fmt::format("{}: the font is missing; install the package fonts-dejavu-core or set "
+                    "AUTOMORPH_FONT to a TrueType file",
                     kFonts[0]));
 }
 
-OIIO::ImageBufAlgo::TextAlignX align(HorizontalAlign how) {
-    using To = OIIO::ImageBufAlgo::TextAlignX;
-    return how == HorizontalAlign::Left ? To::Left : how == HorizontalAlign::Right ? To::Right : To::Center;
+// The ink's box about the start of the baseline.
+OIIO::ROI ink(const std::string& text, int size, const std::string& font) {
+    const OIIO::ROI box = OIIO::ImageBufAlgo::text_size(text, size, font);
+    if (!box.defined()) {
+        throw IoError(
+            fmt::format("{}: text cannot be measured: either the file is not a font or OpenImageIO was "
+                        "built without FreeType",
+                        font));
+    }
+    return box;
 }
 
-OIIO::ImageBufAlgo::TextAlignY align(VerticalAlign how) {
-    using To = OIIO::ImageBufAlgo::TextAlignY;
-    switch (how) {
-        case VerticalAlign::Baseline:
-            return To::Baseline;
-        case VerticalAlign::Top:
-            return To::Top;
-        case VerticalAlign::Bottom:
-            return To::Bottom;
-        case VerticalAlign::Center:
-            break;
-    }
-    return To::Center;
+// Where the baseline starts for an anchor; OpenImageIO's own alignment to the bottom depends on its version.
+int start(int x, const OIIO::ROI& box, HorizontalAlign how) {
+    if (how == HorizontalAlign::Left) return x - box.xbegin;
+    if (how == HorizontalAlign::Right) return x - box.xend;
+    return x - (box.xbegin + box.xend) / 2;
+}
+
+int baseline(int y, const OIIO::ROI& box, VerticalAlign how) {
+    if (how == VerticalAlign::Baseline) return y;
+    if (how == VerticalAlign::Top) return y - box.ybegin;
+    if (how == VerticalAlign::Bottom) return y - box.yend;
+    return y - (box.ybegin + box.yend) / 2;
 }
 
 }  // namespace
 
 TextSize text_size(const std::string& text, const TextStyle& style) {
+    const std::string font = find_font(style);
     if (text.empty()) return {};
-    const OIIO::ROI roi = OIIO::ImageBufAlgo::text_size(text, style.size, find_font(style));
-    if (!roi.defined()) throw IoError("text cannot be measured: OpenImageIO was built without FreeType");
-    return {roi.width(), roi.height()};
+    const OIIO::ROI box = ink(text, style.size, font);
+    return {box.width(), box.height()};
 }
 
 void draw_text(Image& image, int x, int y, const std::string& text, const TextStyle& style) {
+    const std::string font = find_font(style);
     if (text.empty()) return;
+    const OIIO::ROI box = ink(text, style.size, font);
     OIIO::ImageBuf buffer(OIIO::ImageSpec(image.width, image.height, image.channels, OIIO::TypeDesc::FLOAT),
                           image.pixels.data());
     const std::array<float, 3> color{style.color[0], style.color[1], style.color[2]};
-    if (!OIIO::ImageBufAlgo::render_text(buffer, x, y, text, style.size, find_font(style), color,
-                                         align(style.horizontal), align(style.vertical))) {
+    if (!OIIO::ImageBufAlgo::render_text(buffer, start(x, box, style.horizontal),
+                                         baseline(y, box, style.vertical), text, style.size, font, color)) {
         throw IoError(fmt::format("text cannot be drawn: {}", buffer.geterror()));
     }
 }
