@@ -24,11 +24,15 @@ constexpr int kFewestFinePoints = 512, kMostFinePoints = 2048;  // of the fine s
 
 // How many different poses are refined on the medium and on the fine sample, and how much worse than the best
 // (factor in the distance) they may be before.
-constexpr std::size_t kMediumCandidates = 8, kFineCandidates = 3;
+constexpr std::size_t kMediumCandidates = 8, kFineCandidates = 4;
 constexpr double kMediumRatio = 1.4, kFineRatio = 1.5;
 
 constexpr double kDistinctAngle = 15.0 * std::numbers::pi / 180.0;  // poses closer than this count as one
 constexpr double kConfidentRatio = 1.2;
+// Poses whose distances differ by less cannot be told apart by shape: it is symmetric, or the two shapes differ by
+// more than their poses. Of them the one that turns least is taken: files are more often than not in similar poses,
+// and a morph should not turn without need.
+constexpr double kTieRatio = 1.15;
 // Open meshes may face either way in their file; that both agree is the better guess among near equals.
 constexpr double kReversedHandicap = 1.1;
 
@@ -93,6 +97,16 @@ std::vector<Candidate> promising(std::vector<Candidate> candidates) {
     return candidates;
 }
 
+// Of candidates sorted best first, those that tie with the best are put in order of their turn.
+void least_turn_first(std::vector<Candidate>& best_first) {
+    const double tie = kTieRatio * best_first.front().distance;
+    const auto end = std::find_if(best_first.begin(), best_first.end(),
+                                  [&](const Candidate& candidate) { return candidate.distance > tie; });
+    std::stable_sort(best_first.begin(), end, [](const Candidate& a, const Candidate& b) {
+        return rotation_angle(a.motion.R) < rotation_angle(b.motion.R);
+    });
+}
+
 struct Solution {
     EmIcpResult em;
     double residual = std::numeric_limits<double>::infinity();
@@ -103,19 +117,24 @@ struct Solution {
 // among them, else among the poses that `others` lists, best first.
 Solution refine_finally(const Scene& scene, const std::vector<Candidate>& candidates,
                         const std::vector<Candidate>& others, int max_iterations) {
-    Solution solution;
     std::vector<Candidate> refined;
+    std::vector<EmIcpResult> results;
+    double best = std::numeric_limits<double>::infinity();
     for (const Candidate& candidate : candidates) {
-        Candidate result{candidate.motion, scene.distance(candidate.motion)};
-        if (candidate.distance <= kFineRatio * candidates.front().distance) {
-            const EmIcpResult em = scene.refine(candidate.motion, max_iterations);
-            result = {em.motion, scene.distance(em.motion)};
-            if (result.distance < solution.residual) {
-                solution.em = em;
-                solution.residual = result.distance;
-            }
-        }
-        refined.push_back(result);
+        refined.push_back({candidate.motion, scene.distance(candidate.motion)});
+        if (candidate.distance > kFineRatio * candidates.front().distance) continue;
+        results.push_back(scene.refine(candidate.motion, max_iterations));
+        refined.back() = {results.back().motion, scene.distance(results.back().motion)};
+        best = std::min(best, refined.back().distance);
+    }
+    Solution solution;
+    double least_turn = std::numeric_limits<double>::infinity();
+    for (const EmIcpResult& result : results) {
+        const double distance = scene.distance(result.motion), turn = rotation_angle(result.motion.R);
+        if (distance > kTieRatio * best || turn >= least_turn) continue;
+        least_turn = turn;
+        solution.em = result;
+        solution.residual = distance;
     }
     for (const Candidate& candidate : refined) {
         if (distinct(candidate.motion, solution.em.motion)) {
@@ -128,6 +147,33 @@ Solution refine_finally(const Scene& scene, const std::vector<Candidate>& candid
     });
     if (other != others.end()) solution.runner_up = scene.distance(other->motion);
     return solution;
+}
+
+// Where the files hold the same vertices (a mesh and its re-posed copy), sampling noise is uncalled for: the vertices
+// lie on each other exactly. Other pairs keep their motion.
+RigidMotion settled_on_vertices(const Points& source, const Points& target, const RigidMotion& start) {
+    constexpr int kRounds = 10;
+    constexpr double kClose = 0.02, kCoincident = 1e-6;  // mean distance, in units of the shapes' size
+    if (source.rows() != target.rows()) return start;
+    const NearestPoints<3> tree(target);
+    RigidMotion motion = start;
+    for (int round = 0; round < kRounds; ++round) {
+        const Points moved = motion.apply(source);
+        Points nearest(source.rows(), 3);
+        double sum = 0.0;
+        for (Eigen::Index i = 0; i < source.rows(); ++i) {
+            std::uint32_t row = 0;
+            double squared = 0.0;
+            tree.query(moved.row(i).data(), 1, &row, &squared);
+            nearest.row(i) = target.row(row);
+            sum += std::sqrt(squared);
+        }
+        const double mean = sum / static_cast<double>(source.rows());
+        if (mean > kClose) return start;
+        motion = weighted_procrustes(source, nearest, Eigen::VectorXd::Ones(source.rows()));
+        if (mean < kCoincident) return motion;
+    }
+    return start;
 }
 
 }  // namespace
@@ -157,11 +203,17 @@ Registration register_rigid(const Mesh& source, const Mesh& target, const Regist
         candidate.distance = medium_scene.distance(candidate.motion);
     }
     medium = best_distinct(std::move(medium));
+    least_turn_first(medium);
     if (medium.size() > kFineCandidates) medium.resize(kFineCandidates);
 
     // EM-ICP until it stands still.
     const Scene fine_scene(a, b, fine_points, certain);
-    const Solution solution = refine_finally(fine_scene, medium, coarse, options.max_iterations);
+    Solution solution = refine_finally(fine_scene, medium, coarse, options.max_iterations);
+    const auto normalised = [](const Mesh& mesh, const SurfaceSize& size) {
+        return Points((mesh.V.rowwise() - size.centre.transpose()) / size.radius);
+    };
+    solution.em.motion = settled_on_vertices(normalised(source, source_size), normalised(target, target_size),
+                                             solution.em.motion);
 
     Registration result;
     result.R = solution.em.motion.R;
