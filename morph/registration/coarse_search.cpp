@@ -12,6 +12,10 @@ namespace automorph {
 
 namespace {
 
+// Enough to lead nearly every start to the optimum of its basin, give or take some degrees.
+constexpr int kPoints = 96;
+constexpr int kIterations = 4;
+
 using Array = Eigen::ArrayXf;
 
 // Target sample by coordinate, for vector instructions along it.
@@ -37,7 +41,7 @@ void all_distances(const Points& moved, const Columns& target, Eigen::ArrayXXf& 
 
 // One step of EM-ICP: Eq. (7), (6), (5).
 RigidMotion em_step(const SurfaceSample& source, const Columns& target, const RigidMotion& motion,
-                    Eigen::ArrayXXf& d2, Eigen::VectorXd& weights) {
+                    Eigen::ArrayXXf& d2) {
     const Eigen::Index n = source.size();
     all_distances(motion.apply(source.points), target, d2);
     const Array nearest = d2.colwise().minCoeff();
@@ -51,7 +55,7 @@ RigidMotion em_step(const SurfaceSample& source, const Columns& target, const Ri
         const float sum = p.sum();
         expected.row(i) << (p * target.x).sum() / sum, (p * target.y).sum() / sum, (p * target.z).sum() / sum;
     }
-    return weighted_procrustes(source.points, expected, weights);
+    return weighted_procrustes(source.points, expected, Eigen::VectorXd::Ones(n));
 }
 
 double distance_of(const SurfaceSample& source, const Columns& target, const RigidMotion& motion,
@@ -81,19 +85,16 @@ double distance_of(const SurfaceSample& source, const Columns& target, const Rig
 
 std::vector<Candidate> coarse_search(const SurfaceSample& source, const SurfaceSample& target,
                                      const std::vector<Eigen::Matrix3d>& starts,
-                                     const CoarseSearchOptions& options) {
-    const Columns columns(target);
+                                     bool orientation_is_certain) {
+    const SurfaceSample probes = thin_out(source, kPoints);
+    const Columns columns(thin_out(target, kPoints));
     std::vector<Candidate> candidates(starts.size());
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, starts.size(), 4), [&](const auto& range) {
-        Eigen::ArrayXXf d2(target.size(), source.size());
-        Eigen::VectorXd weights = Eigen::VectorXd::Ones(source.size());
+        Eigen::ArrayXXf d2(columns.x.size(), probes.size());
         for (std::size_t s = range.begin(); s < range.end(); ++s) {
             RigidMotion motion{starts[s], Eigen::Vector3d::Zero()};
-            for (int step = 0; step < options.iterations; ++step) {
-                motion = em_step(source, columns, motion, d2, weights);
-            }
-            candidates[s] = {motion,
-                             distance_of(source, columns, motion, options.orientation_is_certain, d2)};
+            for (int step = 0; step < kIterations; ++step) motion = em_step(probes, columns, motion, d2);
+            candidates[s] = {motion, distance_of(probes, columns, motion, orientation_is_certain, d2)};
         }
     });
     return candidates;

@@ -20,7 +20,7 @@ NearestPoints<6>::Rows with_normals(const Points& points, const Points& normals,
 
 // Trimmed mean distance of moved points to a tree.
 double one_sided(const SurfaceSample& sample, const RigidMotion& motion, double sign,
-                 const NearestPoints<6>& tree) {
+                 const NearestPoints<6>& tree, double spacing) {
     const NearestPoints<6>::Rows queries =
         with_normals(motion.apply(sample.points), sample.normals * motion.R.transpose(), sign);
     Eigen::ArrayXd distance(queries.rows());
@@ -29,7 +29,12 @@ double one_sided(const SurfaceSample& sample, const RigidMotion& motion, double 
             std::uint32_t row;
             double d2;
             tree.query(queries.row(i).data(), 1, &row, &d2);
-            distance[i] = std::sqrt(d2);
+            const Eigen::Matrix<double, 6, 1> offset = queries.row(i) - tree.points().row(row);
+            const Eigen::Vector3d normal = tree.points().row(row).tail<3>() / kNormalWeight;
+            const double along = normal.dot(offset.head<3>());
+            const double across = (offset.head<3>() - along * normal).norm();
+            const double gap = std::max(0.0, across - spacing);
+            distance[i] = std::sqrt(along * along + gap * gap + offset.tail<3>().squaredNorm());
         }
     });
     return trimmed_mean(std::move(distance));
@@ -38,7 +43,8 @@ double one_sided(const SurfaceSample& sample, const RigidMotion& motion, double 
 }  // namespace
 
 double trimmed_mean(Eigen::ArrayXd values) {
-    const Eigen::Index kept = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(kKept * static_cast<double>(values.size())));
+    const Eigen::Index kept =
+        std::max<Eigen::Index>(1, static_cast<Eigen::Index>(kKept * static_cast<double>(values.size())));
     std::sort(values.begin(), values.end());  // summed in this order, whatever the order of the points
     return values.head(kept).mean();
 }
@@ -51,8 +57,8 @@ PoseDistance::PoseDistance(const SurfaceSample& source, const SurfaceSample& tar
 
 double PoseDistance::operator()(const RigidMotion& motion, int probes, double normal_sign) const {
     const RigidMotion back{motion.R.transpose(), -(motion.R.transpose() * motion.t)};
-    return 0.5 * (one_sided(thin_out(source_, probes), motion, normal_sign, target_tree_) +
-                  one_sided(thin_out(target_, probes), back, normal_sign, source_tree_));
+    return 0.5 * (one_sided(thin_out(source_, probes), motion, normal_sign, target_tree_, target_.spacing) +
+                  one_sided(thin_out(target_, probes), back, normal_sign, source_tree_, source_.spacing));
 }
 
 }  // namespace automorph

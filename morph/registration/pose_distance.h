@@ -8,19 +8,21 @@
 
 namespace automorph {
 
-/// Weight of normals in a distance, in units of the shape's radius: opposite normals count like a gap of twice
-/// this. Front and back of a flat shape differ by it; a smooth shape's neighbours hardly do.
+/// Weight of normals in a distance, in units of the shape's radius: opposite normals count like a gap of
+/// twice this. Front and back of a flat shape differ by it; a smooth shape's neighbours hardly do.
 inline constexpr double kNormalWeight = 0.25;
 
 /// Mean of the smaller 80 % of the values: what one shape lacks (another crop, hair, a hat) does not count.
 double trimmed_mean(Eigen::ArrayXd values);
 
-/// How badly two size-normalised shapes agree in a pose: for points of either shape the distance
-/// sqrt(|x - y|^2 + kNormalWeight^2 |n_x - n_y|^2) to the nearest point of the other, trimmed mean of each
-/// direction, mean of both. In units of the target's radius.
+/// How badly two size-normalised shapes agree in a pose. A point of one shape looks for the nearest point y
+/// of the other, nearest in position and normal; its distance is the root of: the squared distance to the
+/// plane at y, the squared distance across beyond the sample's spacing (two samples of one surface have no
+/// points in common), and kNormalWeight^2 |n_x - n_y|^2. Trimmed mean of each direction, mean of both. In
+/// units of the target's radius.
 class PoseDistance {
 public:
-    /// @param source, target  dense samples
+    /// @param source, target  dense samples, which must outlive this
     PoseDistance(const SurfaceSample& source, const SurfaceSample& target);
 
     /// @param probes  how many points of either shape look for the other

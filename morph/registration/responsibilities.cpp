@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "morph/registration/em_icp.h"
 #include "morph/registration/nearest.h"
+#include "morph/registration/neighbourhoods.h"
 #include "morph/registration/registration.h"
 
 namespace automorph {

@@ -29,8 +29,9 @@ std::vector<Eigen::Quaterniond> icosahedral_rotations() {
     }
     // Even permutations of (phi, 1, 1 / phi, 0) / 2 with any signs; the first sign is fixed by +-q.
     const double phi = 0.5 * (1.0 + std::sqrt(5.0));
-    constexpr int kEven[12][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 0, 3, 2}, {1, 2, 0, 3}, {1, 3, 2, 0},
-                                  {2, 0, 1, 3}, {2, 1, 3, 0}, {2, 3, 0, 1}, {3, 0, 2, 1}, {3, 1, 0, 2}, {3, 2, 1, 0}};
+    constexpr int kEven[12][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 0, 3, 2},
+                                  {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 0, 1, 3}, {2, 1, 3, 0},
+                                  {2, 3, 0, 1}, {3, 0, 2, 1}, {3, 1, 0, 2}, {3, 2, 1, 0}};
     for (const auto& place : kEven) {
         for (int signs = 0; signs < 4; ++signs) {
             Eigen::Vector4d q = Eigen::Vector4d::Zero();
@@ -55,10 +56,12 @@ Eigen::Matrix3d principal_axes(const Points& points) {
 
 }  // namespace
 
-std::vector<Eigen::Matrix3d> starting_rotations(const Points& source, const Points& target, std::uint64_t seed) {
+std::vector<Eigen::Matrix3d> starting_rotations(const Points& source, const Points& target,
+                                                std::uint64_t seed) {
     std::vector<Eigen::Matrix3d> rotations;
     const Eigen::Quaterniond turn = random_rotation(seed);
-    for (const Eigen::Quaterniond& q : icosahedral_rotations()) rotations.push_back((q * turn).toRotationMatrix());
+    for (const Eigen::Quaterniond& q : icosahedral_rotations())
+        rotations.push_back((q * turn).toRotationMatrix());
 
     const Eigen::Matrix3d source_axes = principal_axes(source), target_axes = principal_axes(target);
     for (int half_turn = 0; half_turn < 4; ++half_turn) {

@@ -17,7 +17,9 @@ namespace automorph {
 namespace {
 
 // 53 random bits in [0, 1): the standard fixes the engine's numbers, but not those of its distributions.
-double uniform(std::mt19937_64& generator) { return static_cast<double>(generator() >> 11) * 0x1.0p-53; }
+double uniform(std::mt19937_64& generator) {
+    return static_cast<double>(generator() >> 11) * 0x1.0p-53;
+}
 
 // Interleaves the top 20 bits of the three coordinates, each scaled to [0, 1).
 std::uint64_t morton_code(const Eigen::Vector3d& unit) {
@@ -31,7 +33,9 @@ std::uint64_t morton_code(const Eigen::Vector3d& unit) {
 }
 
 SurfaceSample rows_of(const SurfaceSample& sample, const std::vector<int>& rows) {
-    return {sample.points(rows, Eigen::all), sample.normals(rows, Eigen::all)};
+    const double thinning = static_cast<double>(sample.size()) / static_cast<double>(rows.size());
+    return {sample.points(rows, Eigen::all), sample.normals(rows, Eigen::all),
+            sample.spacing * std::sqrt(thinning)};
 }
 
 SurfaceSample sort_along_morton_curve(const SurfaceSample& sample) {
@@ -67,8 +71,8 @@ SurfaceSize surface_size(const Mesh& mesh) {
     }
     SurfaceSize size;
     size.centre = centre_of_mass(mesh);
-    // The integral of |x|^2 over a triangle with corners a, b, c is area / 6 (|a|^2 + |b|^2 + |c|^2 + ab + bc + ca)
-    // = area / 12 (|a|^2 + |b|^2 + |c|^2 + |a + b + c|^2).
+    // The integral of |x|^2 over a triangle with corners a, b, c is area / 6 (|a|^2 + |b|^2 + |c|^2 + ab + bc
+    // + ca) = area / 12 (|a|^2 + |b|^2 + |c|^2 + |a + b + c|^2).
     const Eigen::VectorXd areas = triangle_areas(mesh);
     double second_moment = 0.0;
     for (int f = 0; f < mesh.triangle_count(); ++f) {
@@ -84,9 +88,10 @@ SurfaceSize surface_size(const Mesh& mesh) {
     const double total = areas.sum();
     size.radius = total > 0.0 ? std::sqrt(second_moment / total) : 0.0;
     if (!(size.radius > 0.0) || !std::isfinite(size.radius)) {
-        throw InvalidMesh(fmt::format("registration: the surface's area is {:g} and its radius {:g}; both must be "
-                                      "positive and finite",
-                                      total, size.radius));
+        throw InvalidMesh(
+            fmt::format("registration: the surface's area is {:g} and its radius {:g}; both must be "
+                        "positive and finite",
+                        total, size.radius));
     }
     return size;
 }
@@ -96,7 +101,7 @@ SurfaceSample sample_surface(const Mesh& mesh, const SurfaceSize& size, int coun
     const Points vertex_normal = vertex_normals(mesh);
     const double total = areas.sum();
     std::mt19937_64 generator(seed);
-    SurfaceSample sample{Points(count, 3), Points(count, 3)};
+    SurfaceSample sample{Points(count, 3), Points(count, 3), std::sqrt(total / count) / size.radius};
     int f = 0;
     double area_before = 0.0;  // of the triangles before f
     for (int i = 0; i < count; ++i) {
@@ -125,8 +130,8 @@ SurfaceSample thin_out(const SurfaceSample& sample, int count) {
 }
 
 bool is_closed(const Mesh& mesh) {
-    // Half-edges of inner edges cancel in this sum of hashes; a remainder is a border (of which the sum is zero
-    // by accident with probability 2^-64). One pass and no memory, where counting edges would sort.
+    // Half-edges of inner edges cancel in this sum of hashes; a remainder is a border (of which the sum is
+    // zero by accident with probability 2^-64). One pass and no memory, where counting edges would sort.
     std::uint64_t sum = 0;
     for (int f = 0; f < mesh.triangle_count(); ++f) {
         for (int k = 0; k < 3; ++k) {

@@ -18,14 +18,16 @@ SurfaceSize surface_size(const Mesh& mesh);
 
 /// Points spread evenly over a surface, each standing for the same area.
 struct SurfaceSample {
-    Points points;   ///< #n x 3, size-normalised: centre at 0, root mean square radius 1
-    Points normals;  ///< #n x 3, unit vertex normals, interpolated
+    Points points;         ///< #n x 3, size-normalised: centre at 0, root mean square radius 1
+    Points normals;        ///< #n x 3, unit vertex normals, interpolated
+    double spacing = 0.0;  ///< root of the area per point, in the same unit
 
     int size() const { return static_cast<int>(points.rows()); }
 };
 
-/// `count` points, one at random in each of `count` stretches of equal area, sorted along a Morton curve, so that
-/// every k-th row is an even, coarser sample. The same seed gives the same sample with any standard library.
+/// `count` points, one at random in each of `count` stretches of equal area, sorted along a Morton curve, so
+/// that every k-th row is an even, coarser sample. The same seed gives the same sample with any standard
+/// library.
 SurfaceSample sample_surface(const Mesh& mesh, const SurfaceSize& size, int count, std::uint64_t seed);
 
 /// `count` rows at even distances (all of them if there are fewer).

@@ -12,6 +12,8 @@ namespace automorph::render {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLeastDistance = 0.01;  // of the nearest point, in depths of the shape
+constexpr double kRounding = 1e-12;      // relative to the coordinates
 constexpr double kRadians = 3.14159265358979324 / 180.0;
 
 }  // namespace
@@ -70,9 +72,10 @@ Camera Framing::camera() const {
     const double x = 0.5 * (min_left_ - min_right_);
     const double y = 0.5 * (min_bottom_ - min_top_);
     const double middle = 0.5 * (nearest_ + farthest_);
-    // All points coincide, or lie on one view ray: any distance shows them; take a unit of their size.
-    const double size = std::max({farthest_ - nearest_, std::abs(x), std::abs(y), std::abs(middle), 1e-300});
-    const double back = middle - z > 1e-12 * size ? z : nearest_ - size;
+    double back = std::min(z, nearest_ - kLeastDistance * (farthest_ - nearest_));
+    const double size = std::max({std::abs(x), std::abs(y), std::abs(middle)});
+    if (!(middle - back > kRounding * size))
+        back = middle - (size > 0.0 ? size : 1.0);  // all points coincide
 
     Camera camera;
     camera.position = x * right_ + y * up_ + back * forward_;

@@ -16,7 +16,8 @@
 /// are one table (config_keys.cpp); `automorph config --explain` prints it.
 namespace automorph {
 
-/// Either a mesh file or a generated shape, placed in the world by y = scale * rotation * x + translation.
+/// Either a mesh file or a generated shape, placed in the world by y = scale * rotation * x + translation,
+/// where x is the shape, or the file's mesh after `fit`.
 struct MeshConfig {
     enum class Shape { None, Ellipsoid, Star };
     struct Turn {
@@ -25,6 +26,8 @@ struct MeshConfig {
     };
 
     std::filesystem::path file;  ///< absolute or relative to the working directory; empty for a shape
+    bool fit = true;  ///< of a file: centre of mass to the origin, root mean square distance of the surface
+                      ///< from it to 1
     Shape shape = Shape::None;
     Eigen::Vector3d semi_axes{1, 1, 1};  ///< of the ellipsoid
     StarParameters star;

@@ -62,6 +62,10 @@ Section<MeshConfig> mesh_section() {
     Section<M> table;
     table.keys = {
         path("file", &M::file, "mesh file (.off, .obj, .ply, .stl); `source: FILE` is short for it"),
+        flag("fit", &M::fit,
+             "a file's mesh is first centred and scaled to unit size, since files come in any unit; false "
+             "keeps its "
+             "own coordinates"),
         choice("shape", &M::shape, kShapes, "a generated shape in place of a file"),
         only_with("shape: ellipsoid", vector3("semi_axes", &M::semi_axes, kPositive,
                                               "half the extent of the ellipsoid in x, y and z")),

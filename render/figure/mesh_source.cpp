@@ -1,11 +1,23 @@
 #include "render/figure/mesh_source.h"
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <numbers>
 
+#include "morph/mesh/geometry.h"
 #include "morph/shapes/shapes.h"
 
 namespace automorph {
+namespace {
+
+/// Centre of mass to the origin, root mean square distance of the surface from it to 1.
+void fit(Mesh& mesh) {
+    mesh.V.rowwise() -= centre_of_mass(mesh).transpose();
+    const Eigen::VectorXd areas = vertex_areas(mesh);
+    mesh.V /= std::sqrt(areas.dot(mesh.V.rowwise().squaredNorm()) / areas.sum());
+}
+
+}  // namespace
 
 Eigen::Matrix3d rotation_matrix(const MeshConfig::Turn& turn) {
     const double radians = turn.degrees * std::numbers::pi / 180.0;
@@ -28,6 +40,7 @@ InputMesh make_mesh(const MeshConfig& config, const std::string& name) {
             break;
     }
     InputMesh input = load_mesh(config.file.string());
+    if (config.fit) fit(input.mesh);
     const Eigen::Matrix3d linear = options.scale * options.rotation;
     input.mesh.V = ((input.mesh.V * linear.transpose()).rowwise() + options.translation.transpose()).eval();
     return input;

@@ -8,6 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <mutex>
 #include <vector>
 
@@ -15,6 +18,21 @@
 
 namespace automorph::render {
 namespace {
+
+// Embree ignores what it does not know, and a mistyped instruction set would pin nothing.
+void check_config(const std::string& config) {
+    constexpr std::array kSets = {"sse2", "sse4.2", "avx", "avx2", "avx512"};
+    const std::string key = "isa=";
+    const std::size_t start = config.find(key);
+    if (start == std::string::npos) return;
+    const std::size_t value = start + key.size();
+    const std::string set = config.substr(value, config.find_first_of(", ", value) - value);
+    if (std::find(kSets.begin(), kSets.end(), set) == kSets.end()) {
+        throw ConfigError(
+            fmt::format("Embree config \"{}\": there is no instruction set \"{}\"; allowed are {}", config,
+                        set, fmt::join(kSets, ", ")));
+    }
+}
 
 const char* name(RTCError code) {
     switch (code) {
@@ -108,6 +126,7 @@ struct EmbreeScene::State {
 };
 
 EmbreeScene::EmbreeScene(const Options& options) : state_(std::make_unique<State>()) {
+    check_config(options.config);
     State& state = *state_;
     state.refit = options.refit;
     state.device = rtcNewDevice(options.config.c_str());

@@ -25,11 +25,13 @@ public:
         bool refit = false;  ///< refit the tree when vertices move
     };
 
+    /// @throws ConfigError if the config names an instruction set that does not exist
     /// @throws Error with Embree's message
     explicit EmbreeScene(const Options& options);
     ~EmbreeScene();
 
     /// Sets mesh number `id`, whose arrays must stay where they are while this object lives.
+    /// @throws Error with Embree's message, e.g. if the number is taken
     void attach(std::uint32_t id, const TriangleMesh& mesh);
 
     /// Says that the vertices of mesh `id` have moved.

@@ -13,8 +13,8 @@ namespace {
 using Vec3d = Eigen::Vector3d;
 
 // Rays start this many times the largest coordinate off the surface. A point on a triangle is rounded by up
-// to 2^-23 of it, and Embree's triangle test errs by as much again; 32 times that is still invisible.
-constexpr float kRayOffset = 0x1p-18f;
+// to 2^-22 of it, and Embree's triangle test errs by as much again.
+constexpr float kRayOffset = 0x1p-20f;
 
 std::vector<float> to_floats(const Points& V, std::size_t padding) {
     std::vector<float> out(static_cast<std::size_t>(V.size()) + padding, 0.0f);

@@ -1,0 +1,80 @@
+#include "render/geometry/embree_scene.h"
+
+#include <string>
+
+#include "morph/mesh/errors.h"
+#include "tests/catch.h"
+#include "tests/render/shapes.h"
+
+using namespace automorph;
+using namespace automorph::render;
+
+TEST_CASE("rays find the first triangle and its distance, shadow rays anything before their end") {
+    const Shape low = square(1.0, 0.0), high = square(0.5, 1.0);
+    const TriangleMesh a(low.V, low.F, Normals::Flat), b(high.V, high.F, Normals::Flat);
+    EmbreeScene scene({});
+    scene.attach(0, a);
+    scene.attach(5, b);
+    scene.commit();
+    for (bool coherent : {true, false}) {
+        const Hit hit = scene.intersect({0.3f, 0.1f, 3.0f}, {0, 0, -2}, 1e9f, coherent).value();
+        CHECK(hit.mesh == 5);
+        CHECK(hit.triangle == 0);
+        CHECK(hit.distance == Approx(1.0f));
+        const Hit beside = scene.intersect({-0.9f, 0.1f, 3.0f}, {0, 0, -1}, 1e9f, coherent).value();
+        CHECK(beside.mesh == 0);
+        CHECK(beside.triangle == 1);
+        CHECK(beside.distance == Approx(3.0f));
+        CHECK_FALSE(scene.intersect({1.1f, 0.1f, 3.0f}, {0, 0, -1}, 1e9f, coherent).has_value());
+        CHECK_FALSE(scene.intersect({-0.9f, 0.1f, 3.0f}, {0, 0, -1}, 2.9f, coherent).has_value());
+    }
+    CHECK(scene.occluded({0.3f, 0.1f, 3.0f}, {0, 0, -1}, 2.1f));
+    CHECK_FALSE(scene.occluded({0.3f, 0.1f, 3.0f}, {0, 0, -1}, 1.9f));
+    CHECK_FALSE(scene.occluded({0.3f, 0.1f, 3.0f}, {0, 0, 1}, 1e9f));
+}
+
+TEST_CASE("Embree's errors come as exceptions with its message") {
+    const Shape cube = box();
+    const TriangleMesh mesh(cube.V, cube.F, Normals::Flat);
+    EmbreeScene scene({});
+    scene.attach(3, mesh);
+    try {
+        scene.attach(3, mesh);
+        FAIL("no error");
+    } catch (const Error& error) {
+        const std::string message = error.what();
+        INFO(message);
+        CHECK(message.find("Embree failed to add a mesh: ") == 0);
+        CHECK(message.size() > 45);
+    }
+}
+
+TEST_CASE("an instruction set that does not exist is refused, since Embree would ignore it") {
+    CHECK_THROWS_AS(EmbreeScene({"isa=sse4", false}), ConfigError);
+    CHECK_THROWS_AS(EmbreeScene({"verbose=0,isa=", false}), ConfigError);
+    CHECK_NOTHROW(EmbreeScene({"verbose=0,isa=sse4.2,threads=1", false}));
+}
+
+TEST_CASE(
+    "smooth normals are weighted by angle, so that the triangulation of a cube's sides does not matter") {
+    const Shape cube = box();
+    const TriangleMesh mesh(cube.V, cube.F, Normals::Smooth);
+    for (std::uint32_t f = 0; f < 12; ++f) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3 expected = mesh.corners(f)[k].normalized();
+            CHECK((mesh.corner_normals(f)[k] - expected).norm() < 1e-6f);
+        }
+    }
+}
+
+TEST_CASE("given normals are normalised and stay when vertices move, computed ones follow") {
+    const Shape cube = box();
+    Points V = cube.V;
+    V.col(2) *= 3.0;
+    TriangleMesh given(cube.V, cube.F, Normals::Smooth, Points::Constant(8, 3, 5.0));
+    given.move(V);
+    CHECK((given.corner_normals(0)[0] - Vec3::Ones().normalized()).norm() < 1e-6f);
+    TriangleMesh computed(cube.V, cube.F, Normals::Smooth);
+    computed.move(-cube.V);
+    CHECK((computed.corner_normals(0)[0] - computed.corners(0)[0].normalized()).norm() > 1.0f);
+}
