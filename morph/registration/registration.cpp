@@ -24,7 +24,7 @@ constexpr int kFewestFinePoints = 512, kMostFinePoints = 2048;  // of the fine s
 
 // How many different poses are refined on the medium and on the fine sample, and how much worse than the best
 // (factor in the distance) they may be before.
-constexpr std::size_t kMediumCandidates = 8, kFineCandidates = 4;
+constexpr std::size_t kMediumCandidates = 16, kFineCandidates = 4;
 constexpr double kMediumRatio = 1.4, kFineRatio = 1.5;
 
 constexpr double kDistinctAngle = 15.0 * std::numbers::pi / 180.0;  // poses closer than this count as one
