@@ -41,6 +41,9 @@ void check_mesh(const MeshConfig& mesh, const YAML::Node& node, const Place& pla
             }
         }
     }
+    if (is_shape && node["fit"]) {
+        place.fail(mark_of(node, "fit"), place.at("fit") + " has a meaning only beside 'file'");
+    }
     if (mesh.star.inner > mesh.star.outer) {
         place.fail(mark_of(node, "inner"), fmt::format("{}: found {}, expected at most 'outer', which is {}",
                                                        place.at("inner"), mesh.star.inner, mesh.star.outer));
@@ -63,9 +66,9 @@ Section<MeshConfig> mesh_section() {
     table.keys = {
         path("file", &M::file, "mesh file (.off, .obj, .ply, .stl); `source: FILE` is short for it"),
         flag("fit", &M::fit,
-             "a file's mesh is first centred and scaled to unit size, since files come in any unit; false "
-             "keeps its "
-             "own coordinates"),
+             "first centres a file's mesh and scales it to unit size, since files come in any unit; false "
+             "keeps "
+             "its own coordinates"),
         choice("shape", &M::shape, kShapes, "a generated shape in place of a file"),
         only_with("shape: ellipsoid", vector3("semi_axes", &M::semi_axes, kPositive,
                                               "half the extent of the ellipsoid in x, y and z")),

@@ -76,7 +76,7 @@ void add_choice(CLI::App& command, const std::string& flag, E& value, const std:
 
 void add_figure(CLI::App& app, FigureArguments& arguments) {
     CLI::App* command = app.add_subcommand("figure", "Makes the figures that YAML configs describe");
-    command->add_option("CONFIG", arguments.configs, "YAML files")->required();
+    command->add_option("CONFIG", arguments.configs, "YAML files")->type_name("FILE")->required();
     command->add_option("--out", arguments.out, "Folder for the results [the config's output, or out/NAME]")
         ->type_name("DIR");
     command->add_option("--spp", arguments.spp, "Light paths per pixel, instead of the config's")
@@ -90,8 +90,8 @@ void add_figure(CLI::App& app, FigureArguments& arguments) {
 
 void add_morph(CLI::App& app, MorphArguments& arguments) {
     CLI::App* command = app.add_subcommand("morph", "Morphs one mesh into another and writes frames");
-    command->add_option("SOURCE", arguments.source, "Mesh at alpha = 0")->required();
-    command->add_option("TARGET", arguments.target, "Mesh at alpha = 1")->required();
+    command->add_option("SOURCE", arguments.source, "Mesh at alpha = 0")->type_name("MESH")->required();
+    command->add_option("TARGET", arguments.target, "Mesh at alpha = 1")->type_name("MESH")->required();
     command->add_option("--frames", arguments.frames, "How many, both ends included")
         ->type_name("N")
         ->check(CLI::Range(2, 100000))
@@ -109,7 +109,9 @@ void add_morph(CLI::App& app, MorphArguments& arguments) {
     add_choice(*command, "--interpolation", arguments.interpolation, kInterpolations, "How vertices move");
     add_choice(*command, "--openings", arguments.options.openings, kOpenings,
                "Openings other than the border (eyes, mouth)");
-    command->add_flag("!--no-lift", arguments.options.lift, "Flat facets instead of curved placement");
+    command->add_flag_callback(
+        "--no-lift", [&arguments] { arguments.options.lift = false; },
+        "Flat facets instead of curved placement");
     command->add_option("--seed", arguments.options.seed, "Of the registration")
         ->type_name("N")
         ->capture_default_str();
@@ -117,7 +119,7 @@ void add_morph(CLI::App& app, MorphArguments& arguments) {
 }
 
 void add_shape_options(CLI::App& command, std::filesystem::path& out, ShapeOptions& options) {
-    command.add_option("OUT", out, "Mesh file to write")->required();
+    command.add_option("OUT", out, "Mesh file to write")->type_name("FILE")->required();
     command.add_option("--triangles", options.triangles, "How many, about")
         ->check(CLI::Range(64, 10'000'000))
         ->capture_default_str();
@@ -193,10 +195,10 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
     add_shape(app, ellipsoid, star);
     CLI::App* info_command =
         app.add_subcommand("info", "Tells what a mesh file holds and whether it can be morphed");
-    info_command->add_option("MESH", info.meshes, "Mesh files")->required();
+    info_command->add_option("MESH", info.meshes, "Mesh files")->type_name("FILE")->required();
     CLI::App* config_command = app.add_subcommand("config", "Explains or checks configs of figures");
     config_command->add_flag("--explain", config.explain, "Print every key with type, default and meaning");
-    config_command->add_option("CONFIG", config.checked, "YAML files to check");
+    config_command->add_option("CONFIG", config.checked, "YAML files to check")->type_name("FILE");
 
     try {
         app.parse(count, values);

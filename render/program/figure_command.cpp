@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "morph/mesh/errors.h"
@@ -36,6 +37,22 @@ std::vector<Job> jobs_of(const FigureArguments& arguments) {
     return jobs;
 }
 
+void print_summary(const Figure& figure) {
+    fmt::print("{}", meshes_summary(figure.morphs.front()));
+    std::size_t told = 0;  // morphs are numbered as rows first need them
+    std::uint64_t bad = 0;
+    for (std::size_t i = 0; i < figure.rows.size(); ++i) {
+        const FigureRow& row = figure.rows[i];
+        const bool is_new = row.morph >= told;
+        fmt::print("\nrow {}: {}{}\n", i + 1, row.config.label,
+                   is_new ? "" : " (a morph above, moved otherwise)");
+        if (is_new) fmt::print("{}", morph_summary(figure.morphs[row.morph]));
+        told = std::max(told, row.morph + 1);
+        for (const FigureCell& cell : row.cells) bad += cell.bad_samples;
+    }
+    if (bad > 0) fmt::print("\n{} samples were not finite and left out; please report it\n", bad);
+}
+
 }  // namespace
 
 void run(const FigureArguments& arguments, const Surroundings& surroundings) {
@@ -48,17 +65,7 @@ void run(const FigureArguments& arguments, const Surroundings& surroundings) {
         const Figure figure = render_figure(job.config, options);
         write_figure(job.config, figure, job.folder);
         if (surroundings.quiet) continue;
-        for (std::size_t i = 0; i < figure.rows.size(); ++i) {
-            const std::size_t morph = figure.rows[i].morph;
-            const bool shared = i > 0 && morph <= figure.rows[i - 1].morph;
-            fmt::print("\nrow {}: {}\n", i + 1, figure.rows[i].config.label);
-            if (!shared) fmt::print("{}", summary(figure.morphs[morph]));
-        }
-        std::uint64_t bad = 0;
-        for (const FigureRow& row : figure.rows) {
-            for (const FigureCell& cell : row.cells) bad += cell.bad_samples;
-        }
-        if (bad > 0) fmt::print("\n{} samples were not finite and left out; please report it\n", bad);
+        print_summary(figure);
         fmt::print("\n{}: meshes {:.1f} s, morphs {:.1f} s, pictures {:.1f} s\n",
                    (job.folder / "sheet.png").string(), figure.load_seconds, figure.morph_seconds,
                    figure.render_seconds);

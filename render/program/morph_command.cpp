@@ -37,7 +37,8 @@ void run(const MorphArguments& arguments, const Surroundings& surroundings) {
     const InputMesh source = load_mesh(arguments.source.string()),
                     target = load_mesh(arguments.target.string());
     const Morph result = morph(source, target, arguments.options);
-    if (!surroundings.quiet) fmt::print("{}", summary(result.report()));
+    if (!surroundings.quiet)
+        fmt::print("{}{}", meshes_summary(result.report()), morph_summary(result.report()));
 
     std::string written;
     if (!arguments.out.empty()) {

@@ -28,16 +28,10 @@ void add_registration(std::string& text, const RegistrationReport& registration)
         text += "registration  not used\n";
         return;
     }
-    text += fmt::format("registration  turned by {:.1f} degrees, scale {:.4g}, residual {:.3g}{}\n",
+    text += fmt::format("registration  turned by {:.1f} degrees, scale {:.4g}, residual {:.3g}{}, {}\n",
                         angle_degrees(registration.rotation), registration.scale, registration.residual,
-                        registration.converged ? "" : ", not converged");
-    if (!registration.confident) {
-        text += fmt::format(
-            "{:<13} NOT SURE: another pose fits nearly as well (residual {:.3g}); if the result looks "
-            "twisted,\n"
-            "{:<13} turn the source roughly into the target's pose first\n",
-            "", registration.runner_up, "");
-    }
+                        registration.converged ? "" : ", not converged",
+                        registration.confident ? "sure" : "UNSURE: another pose fits nearly as well");
 }
 
 void add_maps(std::string& text, const Report& report) {
@@ -70,10 +64,15 @@ void add_stages(std::string& text, const Report& report) {
 
 }  // namespace
 
-std::string summary(const Report& report) {
+std::string meshes_summary(const Report& report) {
     std::string text;
     add_mesh(text, "source", report.source);
     add_mesh(text, "target", report.target);
+    return text;
+}
+
+std::string morph_summary(const Report& report) {
+    std::string text;
     add_registration(text, report.registration);
     add_maps(text, report);
     for (const std::string& note : report.notes) text += fmt::format("{:<13} {}\n", "note", note);

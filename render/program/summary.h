@@ -6,8 +6,11 @@
 
 namespace automorph::program {
 
-/// What a morph says about itself, for a reader at a terminal: what was found and mended, the registration
-/// and how sure it is, the maps, the overlay, notes and times. Several lines, the last one ended.
-std::string summary(const Report& report);
+/// What was found in both meshes and mended, for a reader at a terminal. Several lines, the last one ended.
+std::string meshes_summary(const Report& report);
+
+/// What a morph says about itself: the registration and whether it is sure, the maps, the overlay, notes,
+/// times.
+std::string morph_summary(const Report& report);
 
 }  // namespace automorph::program

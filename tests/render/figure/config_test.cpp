@@ -63,9 +63,11 @@ TEST_CASE("a config of three lines takes everything else from the defaults") {
 
 TEST_CASE("paths of a config are relative to its folder, absolute ones stay") {
     const FigureConfig figure =
-        parse("source: ../a.off\ntarget: {file: /x/b.ply}\nrows: [{label: r}]\noutput: made\n");
+        parse("source: ../a.off\ntarget: {file: /x/b.ply, fit: false}\nrows: [{label: r}]\noutput: made\n");
     CHECK(figure.source.file == fs::path("a.off"));
     CHECK(figure.target.file == fs::path("/x/b.ply"));
+    CHECK(figure.source.fit);
+    CHECK_FALSE(figure.target.fit);
     CHECK(figure.output == fs::path("folder/made"));
 }
 
@@ -195,6 +197,8 @@ TEST_CASE("keys that contradict each other are refused") {
                 {"source.arms has a meaning only beside 'shape: star'"});
     check_error("source: {file: a.off, triangles: 100}\n", "1:23",
                 {"source.triangles has a meaning only beside 'shape'"});
+    check_error("source: {shape: star, fit: false}\n", "1:23",
+                {"source.fit has a meaning only beside 'file'"});
     check_error("source: {shape: star, inner: 2}\n", "1:23",
                 {"source.inner: found 2, expected at most 'outer'"});
     check_error("source: {shape: star, rotation: {axis: [0, 0, 0]}}\n", "1:34",

@@ -157,6 +157,7 @@ TEST_CASE("a mesh file is placed like a shape of the same pose") {
     shape.triangles = 200;
     MeshConfig file;
     file.file = folder / "shape.off";
+    file.fit = false;
     write_mesh(file.file, make_mesh(shape, "shape").mesh);
     for (MeshConfig* config : {&shape, &file}) {
         config->rotation = {{0, 0, 2}, 90};
@@ -173,6 +174,19 @@ TEST_CASE("a mesh file is placed like a shape of the same pose") {
               .maxCoeff()
               .isApprox(Eigen::RowVector3d(4, 2, 6), 0.1));
     CHECK((from_file.rowwise() - Eigen::RowVector3d(10, 0, -1)).col(2).maxCoeff() > 5);
+}
+
+TEST_CASE("files of any unit and place are fitted to one size about the origin") {
+    const TemporaryFolder folder;
+    MeshConfig config;
+    config.file = folder / "sphere.off";
+    for (const double size : {0.001, 1.0, 1000.0}) {
+        write_mesh(config.file,
+                   ellipsoid({size, size, size}, {.triangles = 2000, .translation = {5 * size, 0, size}}));
+        const Points V = make_mesh(config, "").mesh.V;
+        CHECK(V.rowwise().norm().minCoeff() == Approx(1).epsilon(0.02));
+        CHECK(V.rowwise().norm().maxCoeff() == Approx(1).epsilon(0.02));
+    }
 }
 
 TEST_CASE("text files are written whole or not at all") {

@@ -2,7 +2,9 @@
 
 namespace golden {
 
-automorph::FigureConfig config() { return automorph::load_config(AUTOMORPH_CONFIGS "/fig7.yaml"); }
+automorph::FigureConfig config() {
+    return automorph::load_config(AUTOMORPH_CONFIGS "/fig7.yaml");
+}
 
 automorph::FigureOptions options() {
     automorph::FigureOptions options;

@@ -85,7 +85,7 @@ TEST_CASE("the summary tells what was found, and says so when the registration i
     report.maps = {{"source", "mean value", "cotangent weights flipped 3 triangles", 0, 0.25, 0.1, 1e-12}};
     report.notes = {"a note"};
     report.stages = {{"registration", 0.5, 10}, {"overlay", 0.25, 30}};
-    const std::string sure = summary(report);
+    const std::string sure = meshes_summary(report) + morph_summary(report);
     for (const char* phrase :
          {"a.obj: 120 vertices", "3 boundary loops", "merged 7 duplicate vertices", "closed",
           "turned by 90.0 degrees", "mean value (cotangent weights flipped 3 triangles)", "0 flipped",
@@ -93,15 +93,15 @@ TEST_CASE("the summary tells what was found, and says so when the registration i
         INFO(phrase);
         CHECK(sure.find(phrase) != std::string::npos);
     }
-    CHECK(sure.find("NOT SURE") == std::string::npos);
+    CHECK(sure.find("UNSURE") == std::string::npos);
     CHECK(sure.find("not converged") == std::string::npos);
     report.registration.confident = false;
-    CHECK(summary(report).find("NOT SURE") != std::string::npos);
+    CHECK(morph_summary(report).find("UNSURE") != std::string::npos);
     report.registration.converged = false;
-    CHECK(summary(report).find("not converged") != std::string::npos);
+    CHECK(morph_summary(report).find("not converged") != std::string::npos);
     report.registration.used = false;
-    CHECK(summary(report).find("registration  not used") != std::string::npos);
-    CHECK(summary(report).find("NOT SURE") == std::string::npos);
+    CHECK(morph_summary(report).find("registration  not used") != std::string::npos);
+    CHECK(morph_summary(report).find("UNSURE") == std::string::npos);
 }
 
 TEST_CASE("the progress bar grows with the fraction and stays within its brackets") {
