@@ -46,10 +46,15 @@ Ray rounded(const ExactRay& r) {
     return {CGAL::to_double(r[0]), CGAL::to_double(r[1]), CGAL::to_double(r[2])};
 }
 
+/// True if x, on the great circle (line) through p and q, lies strictly between them.
+bool between(const ExactRay& x, const ExactRay& p, const ExactRay& q) {
+    const ExactRay n = cross(p, q);
+    return sign(dot(cross(p, x), n)) > 0 && sign(dot(cross(x, q), n)) > 0;
+}
+
 /// True if x lies strictly inside the arc (segment) from p to q.
 bool inside_edge(const ExactRay& x, const ExactRay& p, const ExactRay& q) {
-    const ExactRay n = cross(p, q);
-    return sign(dot(n, x)) == 0 && sign(dot(cross(p, x), n)) > 0 && sign(dot(cross(x, q), n)) > 0;
+    return turn(p, q, x) == 0 && between(x, p, q);
 }
 
 /// One of the two meshes, with what the checks look up.
@@ -176,7 +181,7 @@ private:
         if (a.count != 2 || b.count != 2) return false;
         x = cross(cross(ra(0), ra(1)), cross(rb(0), rb(1)));
         if (sign(dot(cross(ra(0), x), cross(ra(0), ra(1)))) < 0) x = {-x[0], -x[1], -x[2]};
-        return inside_edge(x, ra(0), ra(1)) && inside_edge(x, rb(0), rb(1));
+        return between(x, ra(0), ra(1)) && between(x, rb(0), rb(1));  // it is on both circles by construction
     }
 
     static bool inside(const ExactRay& x, const Map& map, const Site& site) {
