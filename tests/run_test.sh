@@ -81,6 +81,11 @@ touch -d '+1 minute' "$work/project/CMakePresets.json"
 call morph
 check "changed presets do" test "$(grep -c ^cmake "$work/calls")" = 2
 
+sed -i "s|$work/project|/the/old/place|" "$work/project/build/release/CMakeCache.txt"
+touch "$work/project/build/release/old_object"
+call morph
+check "a build folder that was moved is made anew" test ! -e "$work/project/build/release/old_object"
+
 new_machine
 printf 'libfmt-dev\ncatch2\n' >"$work/missing"
 chmod a+w "$work/missing"

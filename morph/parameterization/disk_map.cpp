@@ -127,10 +127,8 @@ std::optional<Solution> solve(const WeightMatrix& weights, const Unknowns& unkno
                               MapWeights kind) {
     if (unknowns.count == 0) return Solution{start, 0.0};
     if (kind == MapWeights::MeanValue) {
-        // Rows are diagonally dominant: elimination is stable without pivoting, and the structure is
-        // symmetric.
-        Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::AMDOrdering<int>> solver;
-        solver.isSymmetric(true);
+        // Rows are diagonally dominant: elimination is stable without pivoting.
+        Eigen::SparseLU<Eigen::SparseMatrix<double>, Eigen::COLAMDOrdering<int>> solver;
         solver.setPivotThreshold(0.0);
         solver.compute(laplacian(weights, unknowns, false));
         if (solver.info() != Eigen::Success) return std::nullopt;

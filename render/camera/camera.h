@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "render/math/vec.h"
+
+namespace automorph::render {
+
+/// A pinhole camera with square pixels. World space is right-handed; units are the scene's.
+struct Camera {
+    Eigen::Vector3d position{0.0, -4.5, 1.0};
+    Eigen::Vector3d target{0.0, 0.0, 0.0};  ///< the point in the middle of the picture
+    Eigen::Vector3d up{0.0, 0.0, 1.0};      ///< any vector that is not along the view
+    double vertical_fov = 30.0;             ///< degrees, in (0, 180)
+};
+
+/// A camera for a picture of given size: rays through pixels, and points to pixels.
+/// Pixel coordinates: x to the right, y downwards, pixel (i, j) covers [i, i+1] x [j, j+1].
+class PinholeCamera {
+public:
+    /// @throws ConfigError if the size is not positive, a number is not finite, the field of view is outside
+    ///         (0, 180) degrees, position and target coincide or `up` is along the view
+    PinholeCamera(const Camera& camera, int width, int height);
+
+    const Vec3& origin() const { return origin_; }
+
+    /// Unit direction of the ray from `origin()` through the picture point (x, y) in pixels.
+    Vec3 direction(float x, float y) const;
+
+    /// Picture point (pixels) of a world point; empty when it is not in front of the camera.
+    std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& point) const;
+
+private:
+    Eigen::Vector3d position_, right_, up_,
+        forward_;  ///< right and up as long as half the picture at distance 1
+    Vec3 origin_;
+    Vec3 corner_, step_x_, step_y_;  ///< direction = corner + x step_x + y step_y, to be normalised
+    double half_width_, half_height_;
+};
+
+}  // namespace automorph::render

@@ -1,0 +1,91 @@
+#include "render/camera/framing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "morph/mesh/errors.h"
+
+namespace automorph::render {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRadians = 3.14159265358979324 / 180.0;
+
+}  // namespace
+
+// Notation: camera at c with axes r, u, f (right, up, forward), X = p.r and so on for a point p, cx = c.r
+// ...; s, t the tangents of half the free picture. p is inside if |X - cx| <= s (Z - cz) and |Y - cy| <= t (Z
+// - cz): four planes. With A1 = min(s Z - X), A2 = min(s Z + X): s cz - cx <= A1 and s cz + cx <= A2, so cz
+// <= (A1 + A2) / 2s, there cx = (A2 - A1) / 2; likewise in Y.
+
+Framing::Framing(const FramingOptions& options)
+    : options_(options),
+      min_right_(kInfinity),
+      min_left_(kInfinity),
+      min_top_(kInfinity),
+      min_bottom_(kInfinity),
+      nearest_(kInfinity),
+      farthest_(-kInfinity) {
+    if (!(options.aspect > 0.0) || !std::isfinite(options.aspect)) {
+        throw ConfigError(fmt::format("framing: the aspect is {}; it must be positive", options.aspect));
+    }
+    if (!(options.margin >= 0.0 && options.margin < 1.0)) {
+        throw ConfigError(fmt::format("framing: the margin is {}; it must be in [0, 1)", options.margin));
+    }
+    Camera probe;
+    probe.position.setZero();
+    probe.target = options.direction;
+    probe.up = options.up;
+    probe.vertical_fov = options.vertical_fov;
+    PinholeCamera(probe, 1, 1);  // throws for what is not a camera
+
+    forward_ = options.direction.normalized();
+    right_ = cross(forward_, options.up).normalized();
+    up_ = cross(right_, forward_);
+    tan_y_ = std::tan(0.5 * options.vertical_fov * kRadians) * (1.0 - options.margin);
+    tan_x_ = tan_y_ * options.aspect;
+}
+
+void Framing::add(const Points& V) {
+    for (Eigen::Index i = 0; i < V.rows(); ++i) {
+        if (!V.row(i).allFinite()) continue;
+        const Eigen::Vector3d p = V.row(i);
+        const double x = p.dot(right_), y = p.dot(up_), z = p.dot(forward_);
+        min_right_ = std::min(min_right_, tan_x_ * z - x);
+        min_left_ = std::min(min_left_, tan_x_ * z + x);
+        min_top_ = std::min(min_top_, tan_y_ * z - y);
+        min_bottom_ = std::min(min_bottom_, tan_y_ * z + y);
+        nearest_ = std::min(nearest_, z);
+        farthest_ = std::max(farthest_, z);
+    }
+}
+
+Camera Framing::camera() const {
+    if (!(nearest_ <= farthest_)) throw Error("framing: no finite point to frame");
+    const double z =
+        std::min((min_right_ + min_left_) / (2.0 * tan_x_), (min_top_ + min_bottom_) / (2.0 * tan_y_));
+    const double x = 0.5 * (min_left_ - min_right_);
+    const double y = 0.5 * (min_bottom_ - min_top_);
+    const double middle = 0.5 * (nearest_ + farthest_);
+    // All points coincide, or lie on one view ray: any distance shows them; take a unit of their size.
+    const double size = std::max({farthest_ - nearest_, std::abs(x), std::abs(y), std::abs(middle), 1e-300});
+    const double back = middle - z > 1e-12 * size ? z : nearest_ - size;
+
+    Camera camera;
+    camera.position = x * right_ + y * up_ + back * forward_;
+    camera.target = camera.position + (middle - back) * forward_;
+    camera.up = options_.up;
+    camera.vertical_fov = options_.vertical_fov;
+    return camera;
+}
+
+Camera frame_all(const std::vector<Points>& frames, const FramingOptions& options) {
+    Framing framing(options);
+    for (const Points& frame : frames) framing.add(frame);
+    return framing.camera();
+}
+
+}  // namespace automorph::render

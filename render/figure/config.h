@@ -1,0 +1,107 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "morph/interpolation/interpolation.h"
+#include "morph/morph.h"
+#include "morph/shapes/shapes.h"
+#include "render/geometry/triangle_mesh.h"
+
+/// What a figure is made of, read from a YAML file. The keys of the file, their types, defaults and meaning
+/// are one table (config_keys.cpp); `automorph config --explain` prints it.
+namespace automorph {
+
+/// Either a mesh file or a generated shape, placed in the world by y = scale * rotation * x + translation.
+struct MeshConfig {
+    enum class Shape { None, Ellipsoid, Star };
+    struct Turn {
+        Eigen::Vector3d axis{0, 0, 1};  ///< any length > 0
+        double degrees = 0;             ///< counter-clockwise seen against the axis
+    };
+
+    std::filesystem::path file;  ///< absolute or relative to the working directory; empty for a shape
+    Shape shape = Shape::None;
+    Eigen::Vector3d semi_axes{1, 1, 1};  ///< of the ellipsoid
+    StarParameters star;
+    int triangles = 8000;    ///< of the shape, about
+    std::uint64_t seed = 1;  ///< of the shape's tessellation
+    Turn rotation;
+    double scale = 1;
+    Eigen::Vector3d translation{0, 0, 0};
+};
+
+/// One row of the figure: how the morph is made and how it moves.
+struct RowConfig {
+    std::string label;
+    Alignment alignment = Alignment::Registration;
+    Interpolation interpolation = Interpolation::Slerp;
+    Openings openings = Openings::Reopen;
+    bool lift = true;
+};
+
+/// How every cell is pictured; all cells of a figure share one camera.
+struct PictureConfig {
+    int width = 480, height = 480;             ///< of one cell, pixels
+    int spp = 64;                              ///< paths per pixel
+    std::uint64_t seed = 1;                    ///< of the samples
+    Eigen::Vector3d view{0, 1, -0.25};         ///< direction the camera looks in, world frame
+    Eigen::Vector3d up{0, 0, 1};               ///< upwards in the picture, world frame
+    double fov = 20;                           ///< vertical field of view, degrees
+    double margin = 0.06;                      ///< free on each side, fraction of half the picture
+    Eigen::Vector3d albedo{0.72, 0.69, 0.64};  ///< diffuse reflectance, linear RGB
+    Eigen::Vector3d background{1, 1, 1};       ///< linear RGB; white merges with the sheet's paper
+    bool ground = true;                        ///< a floor that shows the shadow only
+    render::Normals normals = render::Normals::Smooth;
+};
+
+struct FigureConfig {
+    std::filesystem::path file;  ///< the config itself
+    std::string text;            ///< the config's text, word for word
+    std::string title;
+    MeshConfig source, target;
+    std::vector<RowConfig> rows;
+    std::vector<double> alphas{0, 0.25, 0.5, 0.75, 1};
+    std::uint64_t seed = 1;  ///< of the registration
+    PictureConfig picture;
+    std::filesystem::path output;  ///< folder for the pictures
+};
+
+/// Reads and checks a config. Relative paths in it are relative to its own folder; the default output,
+/// out/<name of the config>, is relative to the working directory.
+/// @throws ConfigError `file:line:column: what was found, what is allowed`
+/// @throws IoError     the file cannot be read
+FigureConfig load_config(const std::filesystem::path& file);
+
+/// The same from text; `file` is what errors call it and the base of relative paths.
+FigureConfig parse_config(const std::string& text, const std::filesystem::path& file);
+
+/// One key of the schema, for `config --explain` and editors.
+struct ConfigKey {
+    enum class Type { Text, Path, Integer, Number, Boolean, Choice, Numbers, Section, List };
+
+    std::string path;  ///< e.g. "picture.spp", "rows[].label"
+    Type type = Type::Text;
+    std::optional<double> least, most;  ///< inclusive range of numbers
+    int count = 0;                      ///< Numbers: how many; 0 any number >= 1
+    std::vector<std::string> choices;
+    bool required = false;
+    std::string fallback;   ///< default, as YAML; empty if required or unset
+    std::string only_with;  ///< e.g. "shape: star"; empty: always allowed
+    std::string meaning;
+};
+
+/// Every key a config may hold, in the order of the documentation.
+std::vector<ConfigKey> config_keys();
+
+/// The keys as text for a terminal.
+std::string explain_config();
+
+/// What a key takes, e.g. "an integer from 1 to 65536", "one of linear, rigid-linear, slerp".
+std::string allowed_values(const ConfigKey& key);
+
+}  // namespace automorph

@@ -1,0 +1,171 @@
+#include "render/figure/config_keys.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+
+namespace automorph::config {
+namespace {
+
+constexpr Range kAny{-1e12, 1e12};  // keeps coordinates far from overflow, no more
+constexpr Range kPositive{1e-9, 1e12};
+constexpr Range kSeed{0, 1.8446744073709551e19};  // whatever 64 bits hold
+
+constexpr std::array kShapes{Named<MeshConfig::Shape>{"ellipsoid", MeshConfig::Shape::Ellipsoid},
+                             Named<MeshConfig::Shape>{"star", MeshConfig::Shape::Star}};
+
+Section<MeshConfig::Turn> rotation_section() {
+    using Turn = MeshConfig::Turn;
+    Section<Turn> table;
+    table.keys = {
+        vector3("axis", &Turn::axis, kAny, "axis of the turn, of any length, through the origin"),
+        value("degrees", &Turn::degrees, {-3600, 3600}, "angle, counter-clockwise seen against the axis"),
+    };
+    table.check = [](const Turn& turn, const YAML::Node& node, const Place& place) {
+        if (turn.axis.norm() == 0)
+            place.fail(mark_of(node, "axis"), place.at("axis") + ": found a vector of length 0");
+    };
+    return table;
+}
+
+void check_mesh(const MeshConfig& mesh, const YAML::Node& node, const Place& place) {
+    const bool is_shape = mesh.shape != MeshConfig::Shape::None;
+    if (mesh.file.empty() != is_shape) {
+        place.fail(node.Mark(), fmt::format("{}: expected either 'file' or 'shape', found {}", place.path,
+                                            is_shape ? "both" : "neither"));
+    }
+    if (!is_shape && node.IsMap()) {
+        for (const char* name : {"triangles", "seed"}) {
+            if (node[name]) {
+                place.fail(mark_of(node, name), place.at(name) + " has a meaning only beside 'shape'");
+            }
+        }
+    }
+    if (mesh.star.inner > mesh.star.outer) {
+        place.fail(mark_of(node, "inner"), fmt::format("{}: found {}, expected at most 'outer', which is {}",
+                                                       place.at("inner"), mesh.star.inner, mesh.star.outer));
+    }
+}
+
+/// Keys of the star stand beside those of the mesh: `shape: star, arms: 6`.
+Key<MeshConfig> of_star(Key<StarParameters> inner) {
+    Key<MeshConfig> key{inner.info, {}, {}};
+    key.read = [read = inner.read](MeshConfig& into, const YAML::Node& node, const Place& place) {
+        read(into.star, node, place);
+    };
+    return only_with("shape: star", key);
+}
+
+Section<MeshConfig> mesh_section() {
+    using M = MeshConfig;
+    using S = StarParameters;
+    Section<M> table;
+    table.keys = {
+        path("file", &M::file, "mesh file (.off, .obj, .ply, .stl); `source: FILE` is short for it"),
+        choice("shape", &M::shape, kShapes, "a generated shape in place of a file"),
+        only_with("shape: ellipsoid", vector3("semi_axes", &M::semi_axes, kPositive,
+                                              "half the extent of the ellipsoid in x, y and z")),
+        of_star(value("arms", &S::arms, {3, 64}, "how many arms the star has, in its xy-plane")),
+        of_star(value("outer", &S::outer, kPositive, "distance of the star's tips from its centre")),
+        of_star(value("inner", &S::inner, kPositive, "distance of the star's valleys from its centre")),
+        of_star(
+            value("depth", &S::depth, kPositive, "half the thickness of the star at its centre, along z")),
+        value("triangles", &M::triangles, {64, 10'000'000}, "of the generated shape, about"),
+        value("seed", &M::seed, kSeed, "another seed gives another tessellation of the same shape"),
+        section("rotation", &M::rotation, rotation_section(), "turns the mesh, after scaling"),
+        value("scale", &M::scale, kPositive, "scales the mesh about the origin"),
+        vector3("translation", &M::translation, kAny, "moves the mesh, last"),
+    };
+    table.shorthand = "file";
+    table.check = check_mesh;
+    return table;
+}
+
+Section<RowConfig> row_section() {
+    using R = RowConfig;
+    Section<R> table;
+    table.keys = {
+        required(text("label", &R::label, "what the sheet calls the row")),
+        choice("alignment", &R::alignment, kAlignments,
+               "how the maps are brought together: not at all (Section 3 alone) or by EM-ICP (4.1, 4.2)"),
+        choice("interpolation", &R::interpolation, kInterpolations,
+               "how vertices move: Eq. (12), (13) or (14)"),
+        choice("openings", &R::openings, kOpenings,
+               "what happens to openings other than the border (eyes, mouth)"),
+        flag("lift", &R::lift, "curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise"),
+    };
+    return table;
+}
+
+Section<PictureConfig> picture_section() {
+    using P = PictureConfig;
+    Section<P> table;
+    table.keys = {
+        value("width", &P::width, {16, 16384}, "of one cell, pixels"),
+        value("height", &P::height, {16, 16384}, "of one cell, pixels"),
+        value("spp", &P::spp, {1, 65536}, "light paths per pixel; noise falls with its square root"),
+        value("seed", &P::seed, kSeed, "of the light paths"),
+        vector3("view", &P::view, kAny,
+                "direction the camera looks in; the distance follows from the frames"),
+        vector3("up", &P::up, kAny, "direction that is upwards in the picture"),
+        value("fov", &P::fov, {1, 120}, "vertical field of view, degrees"),
+        value("margin", &P::margin, {0, 0.9},
+              "free border on each side of a cell, as a fraction of half the cell"),
+        vector3("albedo", &P::albedo, {0, 1}, "diffuse reflectance, linear red, green, blue"),
+        vector3("background", &P::background, {0, 1}, "linear red, green, blue; white merges with the sheet"),
+        flag("ground", &P::ground, "a floor below all frames that shows their shadow only"),
+        choice("normals", &P::normals, kNormals, "shading normals: interpolated, or one per triangle"),
+    };
+    table.check = [](const P& picture, const YAML::Node& node, const Place& place) {
+        if (picture.view.norm() == 0)
+            place.fail(mark_of(node, "view"), place.at("view") + ": found a vector of length 0");
+        // A degree off the view direction is enough to say what is upwards.
+        constexpr double kSineOfADegree = 0.017;
+        if (picture.view.cross(picture.up).norm() <=
+            kSineOfADegree * picture.view.norm() * picture.up.norm()) {
+            place.fail(mark_of(node, node["up"] ? "up" : "view"),
+                       place.at("up") +
+                           ": found a vector parallel to 'view' or of length 0, expected one across it");
+        }
+    };
+    return table;
+}
+
+void check_figure(const FigureConfig& figure, const YAML::Node& node, const Place& place) {
+    for (std::size_t i = 1; i < figure.alphas.size(); ++i) {
+        if (figure.alphas[i] <= figure.alphas[i - 1]) {
+            place.fail(node["alphas"][i].Mark(),
+                       fmt::format("alphas[{}]: found {} after {}, expected ascending numbers", i,
+                                   figure.alphas[i], figure.alphas[i - 1]));
+        }
+    }
+}
+
+Section<FigureConfig> make_figure_section() {
+    using C = FigureConfig;
+    Section<C> table;
+    table.keys = {
+        text("title", &C::title, "stands above the sheet"),
+        required(
+            section("source", &C::source, mesh_section(), "the mesh at alpha = 0: a file, or a mapping")),
+        required(
+            section("target", &C::target, mesh_section(), "the mesh at alpha = 1: a file, or a mapping")),
+        required(list("rows", &C::rows, row_section(), "one morph each, top to bottom")),
+        numbers("alphas", &C::alphas, {0, 1}, "the columns, ascending: 0 is the source, 1 the target"),
+        value("seed", &C::seed, kSeed, "of the registration's samples and starts"),
+        section("picture", &C::picture, picture_section(), "how every cell is pictured"),
+        path("output", &C::output,
+             "folder for the results; out/<config's name> in the working directory otherwise"),
+    };
+    table.check = check_figure;
+    return table;
+}
+
+}  // namespace
+
+const Section<FigureConfig>& figure_section() {
+    static const Section<FigureConfig> table = make_figure_section();
+    return table;
+}
+
+}  // namespace automorph::config

@@ -1,0 +1,191 @@
+#include "render/figure/figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "morph/mesh/errors.h"
+#include "render/camera/framing.h"
+#include "render/figure/frames.h"
+#include "render/figure/mesh_source.h"
+#include "render/figure/sheet.h"
+#include "render/figure/text_file.h"
+#include "render/geometry/scene.h"
+#include "render/image/image_file.h"
+#include "render/integrator/render.h"
+#include "render/studio/studio.h"
+
+namespace automorph {
+namespace {
+
+class Stopwatch {
+public:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void tell(const Progress& progress, const std::string& task, double fraction) {
+    if (progress) progress(task, fraction);
+}
+
+/// Rows with the same options share their morph.
+bool same_morph(const RowConfig& a, const RowConfig& b) {
+    return a.alignment == b.alignment && a.openings == b.openings && a.lift == b.lift;
+}
+
+/// Computes each different morph once and fills in morphs and rows; returns the frames of each row.
+std::vector<FrameSequence> compute_rows(const FigureConfig& config, const FigureOptions& options,
+                                        Figure& figure) {
+    Stopwatch loading;
+    tell(options.progress, "meshes", 0);
+    const InputMesh source = make_mesh(config.source, "source"), target = make_mesh(config.target, "target");
+    tell(options.progress, "meshes", 1);
+    figure.load_seconds = loading.seconds();
+
+    Stopwatch morphing;
+    std::vector<FrameSequence> sequences(config.rows.size());
+    for (const RowConfig& row : config.rows) figure.rows.push_back({row, 0, {}});
+    std::vector<bool> done(config.rows.size(), false);
+    for (std::size_t first = 0; first < config.rows.size(); ++first) {
+        if (done[first]) continue;
+        const RowConfig& row = config.rows[first];
+        const std::string task = fmt::format("morph of row {} ({})", first + 1, row.label);
+        tell(options.progress, task, 0);
+        const Morph result = morph(source, target, {row.alignment, row.openings, row.lift, config.seed});
+        for (std::size_t i = first; i < config.rows.size(); ++i) {
+            if (!same_morph(row, config.rows[i])) continue;
+            sequences[i] = frames_of(result, config.alphas, config.rows[i].interpolation);
+            figure.rows[i].morph = figure.morphs.size();
+            done[i] = true;
+        }
+        figure.morphs.push_back(result.report());
+        tell(options.progress, task, 1);
+    }
+    figure.morph_seconds = morphing.seconds();
+    return sequences;
+}
+
+render::Camera frame_rows(const PictureConfig& picture, const Figure& figure,
+                          const std::vector<FrameSequence>& sequences) {
+    render::FramingOptions options;
+    options.direction = picture.view;
+    options.up = picture.up;
+    options.vertical_fov = picture.fov;
+    options.aspect = static_cast<double>(figure.width) / figure.height;
+    options.margin = picture.margin;
+    render::Framing framing(options);
+    for (const FrameSequence& sequence : sequences) {
+        for (const Points& V : sequence.frames) framing.add(V);
+    }
+    return framing.camera();
+}
+
+render::Color color(const Eigen::Vector3d& rgb) {
+    return rgb.cast<float>().array();
+}
+
+render::Bounds bounds_of(const std::vector<FrameSequence>& sequences) {
+    render::Bounds bounds;
+    for (const FrameSequence& sequence : sequences) {
+        for (const Points& V : sequence.frames) bounds.add(V);
+    }
+    return bounds;
+}
+
+void render_row(const PictureConfig& picture, const FigureOptions& options, const FrameSequence& sequence,
+                const render::Bounds& bounds, const Figure& figure, FigureRow& row, const std::string& task) {
+    render::Scene scene({.embree_config = options.embree_config, .refit = false});
+    render::MeshOptions surface;
+    surface.normals = picture.normals;
+    surface.material.albedo = color(picture.albedo);
+    const int mesh = scene.add_mesh(sequence.frames.front(), sequence.triangles, surface);
+    render::add_studio(scene, figure.camera, bounds, {color(picture.background), picture.ground});
+
+    render::RenderOptions settings;
+    settings.width = figure.width;
+    settings.height = figure.height;
+    settings.spp = figure.spp;
+    settings.seed = picture.seed;
+    settings.threads = options.threads;
+    for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
+        const double before = static_cast<double>(i), count = static_cast<double>(sequence.frames.size());
+        settings.progress = [&](double fraction) {
+            // The row is done when the call returns with its last cell, not before.
+            tell(options.progress, task, std::min((before + fraction) / count, 0.999));
+        };
+        scene.move_mesh(mesh, sequence.frames[i]);
+        render::RenderResult result = render::render(scene, figure.camera, settings);
+        row.cells.push_back({std::move(result.image), sequence.alphas[i], result.wall_seconds, result.rays,
+                             result.bad_samples});
+    }
+    tell(options.progress, task, 1);
+}
+
+render::Metadata metadata(const FigureConfig& config, const Figure& figure, const FigureRow& row,
+                          const FigureCell& cell) {
+    return {{"Software", "automorph"},           {"config", config.file.filename().string()},
+            {"row", row.config.label},           {"alpha", fmt::format("{}", cell.alpha)},
+            {"spp", std::to_string(figure.spp)}, {"seed", std::to_string(config.picture.seed)}};
+}
+
+}  // namespace
+
+Figure render_figure(const FigureConfig& config, const FigureOptions& options) {
+    Figure figure;
+    figure.width = std::max(1, static_cast<int>(std::lround(config.picture.width * options.scale)));
+    figure.height = std::max(1, static_cast<int>(std::lround(config.picture.height * options.scale)));
+    figure.spp = options.spp.value_or(config.picture.spp);
+    if (figure.spp < 1)
+        throw ConfigError(fmt::format("{} samples per pixel: expected at least 1", figure.spp));
+
+    const std::vector<FrameSequence> sequences = compute_rows(config, options, figure);
+    figure.camera = frame_rows(config.picture, figure, sequences);
+    const render::Bounds bounds = bounds_of(sequences);
+    Stopwatch rendering;
+    for (std::size_t i = 0; i < sequences.size(); ++i) {
+        const std::string task = fmt::format("pictures of row {} ({})", i + 1, config.rows[i].label);
+        render_row(config.picture, options, sequences[i], bounds, figure, figure.rows[i], task);
+    }
+    figure.render_seconds = rendering.seconds();
+    return figure;
+}
+
+render::Image figure_sheet(const FigureConfig& config, const Figure& figure) {
+    SheetText text;
+    text.title = config.title;
+    std::vector<std::vector<render::Image>> cells;
+    for (const FigureRow& row : figure.rows) {
+        text.rows.push_back(row.config.label);
+        cells.emplace_back();
+        for (const FigureCell& cell : row.cells) cells.back().push_back(cell.image);
+    }
+    for (const double alpha : config.alphas) text.columns.push_back("\u03b1 = " + fraction_text(alpha));
+    return make_sheet(cells, text);
+}
+
+std::string cell_name(std::size_t row, std::size_t column) {
+    return fmt::format("row{}-col{}", row + 1, column + 1);
+}
+
+void write_figure(const FigureConfig& config, const Figure& figure, const std::filesystem::path& folder) {
+    make_folder(folder);
+    for (std::size_t i = 0; i < figure.rows.size(); ++i) {
+        const FigureRow& row = figure.rows[i];
+        for (std::size_t j = 0; j < row.cells.size(); ++j) {
+            const render::Metadata about = metadata(config, figure, row, row.cells[j]);
+            render::write_exr(folder / (cell_name(i, j) + ".exr"), row.cells[j].image, about);
+            render::write_png(folder / (cell_name(i, j) + ".png"), row.cells[j].image, about);
+        }
+    }
+    render::write_png(folder / "sheet.png", figure_sheet(config, figure),
+                      {{"Software", "automorph"}, {"config", config.file.filename().string()}});
+    write_text_file(folder / "metrics.json", metrics_json(config, figure));
+}
+
+}  // namespace automorph

@@ -1,0 +1,36 @@
+#include "render/figure/mesh_source.h"
+
+#include <Eigen/Geometry>
+#include <numbers>
+
+#include "morph/shapes/shapes.h"
+
+namespace automorph {
+
+Eigen::Matrix3d rotation_matrix(const MeshConfig::Turn& turn) {
+    const double radians = turn.degrees * std::numbers::pi / 180.0;
+    return Eigen::AngleAxisd(radians, turn.axis.normalized()).toRotationMatrix();
+}
+
+InputMesh make_mesh(const MeshConfig& config, const std::string& name) {
+    ShapeOptions options;
+    options.triangles = config.triangles;
+    options.seed = config.seed;
+    options.rotation = rotation_matrix(config.rotation);
+    options.translation = config.translation;
+    options.scale = config.scale;
+    switch (config.shape) {
+        case MeshConfig::Shape::Ellipsoid:
+            return admit_mesh(ellipsoid(config.semi_axes, options), name);
+        case MeshConfig::Shape::Star:
+            return admit_mesh(star(config.star, options), name);
+        case MeshConfig::Shape::None:
+            break;
+    }
+    InputMesh input = load_mesh(config.file.string());
+    const Eigen::Matrix3d linear = options.scale * options.rotation;
+    input.mesh.V = ((input.mesh.V * linear.transpose()).rowwise() + options.translation.transpose()).eval();
+    return input;
+}
+
+}  // namespace automorph

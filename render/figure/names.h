@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "morph/morph.h"
+#include "render/geometry/triangle_mesh.h"
+
+/// What the values of options are called in configs, on the command line and in results.
+namespace automorph {
+
+template <class E>
+struct Named {
+    const char* name;
+    E value;
+};
+
+inline constexpr std::array kAlignments{Named<Alignment>{"none", Alignment::None},
+                                        Named<Alignment>{"registration", Alignment::Registration}};
+inline constexpr std::array kInterpolations{Named<Interpolation>{"linear", Interpolation::Linear},
+                                            Named<Interpolation>{"rigid-linear", Interpolation::RigidLinear},
+                                            Named<Interpolation>{"slerp", Interpolation::Slerp}};
+inline constexpr std::array kOpenings{Named<Openings>{"reopen", Openings::Reopen},
+                                      Named<Openings>{"fill", Openings::Fill}};
+inline constexpr std::array kNormals{Named<render::Normals>{"smooth", render::Normals::Smooth},
+                                     Named<render::Normals>{"flat", render::Normals::Flat}};
+
+/// Name of a value. @pre the value is in the list
+template <class E, std::size_t N>
+const char* name_of(const std::array<Named<E>, N>& names, E value) {
+    for (const Named<E>& each : names) {
+        if (each.value == value) return each.name;
+    }
+    return "";
+}
+
+}  // namespace automorph

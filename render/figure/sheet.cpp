@@ -1,0 +1,136 @@
+#include "render/figure/sheet.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "render/image/text.h"
+
+namespace automorph {
+namespace {
+
+using render::HorizontalAlign;
+using render::Image;
+using render::TextStyle;
+using render::VerticalAlign;
+
+// Sizes in proportion to a cell's width. At 480 pixels a cell printed 4 cm wide, labels have 8 points.
+constexpr double kLabelSize = 1.0 / 13;
+constexpr double kTitleSize = 1.0 / 10;
+constexpr double kMargin = 1.0 / 12;   // around the sheet and between text and cells
+constexpr double kLabelColumn = 0.55;  // widest row label before it is broken
+constexpr double kLineHeight = 1.35;   // of the font's size
+constexpr int kSmallestText = 7;       // pixels: below, nothing can be read
+
+struct Layout {
+    int cell_width, cell_height, margin, label_size, title_size;
+    int left, top;  ///< of the first cell
+    int width, height;
+};
+
+int scaled(double factor, int size) {
+    return static_cast<int>(std::lround(factor * size));
+}
+
+void paste(const Image& cell, Image& sheet, int x, int y) {
+    assert(cell.channels == 3);
+    for (int row = 0; row < cell.height; ++row) {
+        std::copy_n(cell.at(0, row), static_cast<std::size_t>(cell.width) * 3, sheet.at(x, y + row));
+    }
+}
+
+int text_width(const std::string& text, int size) {
+    TextStyle style;
+    style.size = size;
+    return render::text_size(text, style).width;
+}
+
+Layout lay_out(const std::vector<std::vector<Image>>& cells, const SheetText& text,
+               const std::vector<std::vector<std::string>>& row_lines) {
+    Layout layout{};
+    layout.cell_width = cells.front().front().width;
+    layout.cell_height = cells.front().front().height;
+    layout.margin = std::max(2, scaled(kMargin, layout.cell_width));
+    layout.label_size = std::max(kSmallestText, scaled(kLabelSize, layout.cell_width));
+    layout.title_size = std::max(kSmallestText, scaled(kTitleSize, layout.cell_width));
+    int label_width = 0;
+    for (const auto& lines : row_lines) {
+        for (const std::string& line : lines)
+            label_width = std::max(label_width, text_width(line, layout.label_size));
+    }
+    layout.left = layout.margin + (label_width > 0 ? label_width + layout.margin : 0);
+    layout.top = layout.margin + scaled(kLineHeight, layout.label_size);
+    if (!text.title.empty()) layout.top += scaled(kLineHeight, layout.title_size) + layout.margin;
+    const int columns = static_cast<int>(cells.front().size()), rows = static_cast<int>(cells.size());
+    layout.width = layout.left + columns * layout.cell_width + layout.margin;
+    layout.height = layout.top + rows * layout.cell_height + layout.margin;
+    const int title_width = text.title.empty() ? 0 : text_width(text.title, layout.title_size);
+    layout.width = std::max(layout.width, title_width + 2 * layout.margin);
+    return layout;
+}
+
+void draw_labels(Image& sheet, const Layout& layout, const SheetText& text,
+                 const std::vector<std::vector<std::string>>& row_lines) {
+    TextStyle style;
+    style.horizontal = HorizontalAlign::Center;
+    style.vertical = VerticalAlign::Baseline;
+    style.size = layout.title_size;
+    if (!text.title.empty()) {
+        render::draw_text(sheet, layout.width / 2, layout.margin + layout.title_size, text.title, style);
+    }
+    style.size = layout.label_size;
+    const int below = layout.top - scaled(kLineHeight - 1, layout.label_size);
+    for (std::size_t column = 0; column < text.columns.size(); ++column) {
+        const int x = layout.left + static_cast<int>(column) * layout.cell_width + layout.cell_width / 2;
+        render::draw_text(sheet, x, below, text.columns[column], style);
+    }
+    style.horizontal = HorizontalAlign::Left;
+    const int line_height = scaled(kLineHeight, layout.label_size);
+    for (std::size_t row = 0; row < row_lines.size(); ++row) {
+        const int block = static_cast<int>(row_lines[row].size() - 1) * line_height;
+        int y = layout.top + static_cast<int>(row) * layout.cell_height + layout.cell_height / 2 - block / 2 +
+                layout.label_size / 3;  // a third of the size: half the height of small letters, about
+        for (const std::string& line : row_lines[row]) {
+            render::draw_text(sheet, layout.margin, y, line, style);
+            y += line_height;
+        }
+    }
+}
+
+}  // namespace
+
+Image make_sheet(const std::vector<std::vector<Image>>& cells, const SheetText& text) {
+    assert(!cells.empty() && !cells.front().empty());
+    assert(text.rows.size() == cells.size() && text.columns.size() == cells.front().size());
+    const int cell_width = cells.front().front().width;
+    const int label_size = std::max(kSmallestText, scaled(kLabelSize, cell_width));
+    std::vector<std::vector<std::string>> row_lines;
+    for (const std::string& label : text.rows) {
+        row_lines.push_back(wrap(label, scaled(kLabelColumn, cell_width),
+                                 [&](const std::string& line) { return text_width(line, label_size); }));
+    }
+    const Layout layout = lay_out(cells, text, row_lines);
+    Image sheet(layout.width, layout.height, 3, 1.0f);
+    for (std::size_t row = 0; row < cells.size(); ++row) {
+        for (std::size_t column = 0; column < cells[row].size(); ++column) {
+            paste(cells[row][column], sheet, layout.left + static_cast<int>(column) * layout.cell_width,
+                  layout.top + static_cast<int>(row) * layout.cell_height);
+        }
+    }
+    draw_labels(sheet, layout, text, row_lines);
+    return sheet;
+}
+
+std::string fraction_text(double value) {
+    constexpr int kLargestDenominator = 16;
+    for (int below = 1; below <= kLargestDenominator; ++below) {
+        const double above = std::round(value * below);
+        if (std::abs(value - above / below) > 1e-12) continue;
+        return below == 1 ? fmt::format("{:.0f}", above) : fmt::format("{:.0f}/{}", above, below);
+    }
+    return fmt::format("{:.3g}", value);
+}
+
+}  // namespace automorph

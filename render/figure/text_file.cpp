@@ -1,0 +1,50 @@
+#include "render/figure/text_file.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "morph/mesh/errors.h"
+
+namespace automorph {
+
+namespace fs = std::filesystem;
+
+void write_text_file(const fs::path& file, const std::string& text) {
+    fs::path aside = file;
+    aside += fmt::format(".{}.part", ::getpid());
+    errno = 0;
+    std::ofstream stream(aside, std::ios::binary);
+    stream << text;
+    stream.close();
+    std::error_code error;
+    if (!stream) {
+        const std::string reason = errno != 0 ? std::strerror(errno) : "unknown reason";
+        fs::remove(aside, error);
+        throw IoError(fmt::format("{}: cannot be written: {}", file.string(), reason));
+    }
+    fs::rename(aside, file, error);
+    if (error) {
+        std::error_code ignored;
+        fs::remove(aside, ignored);
+        throw IoError(fmt::format("{}: cannot be written: {}", file.string(), error.message()));
+    }
+}
+
+void make_folder(const fs::path& folder) {
+    if (folder.empty()) return;
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (!error && !fs::is_directory(folder)) error = std::make_error_code(std::errc::not_a_directory);
+    if (!error && ::access(folder.c_str(), W_OK | X_OK) != 0)
+        error = std::error_code(errno, std::generic_category());
+    if (error) {
+        throw IoError(
+            fmt::format("{}: cannot be used as output folder: {}", folder.string(), error.message()));
+    }
+}
+
+}  // namespace automorph

@@ -1,0 +1,187 @@
+#include "render/geometry/embree_scene.h"
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <fmt/format.h>
+
+#include <mutex>
+#include <vector>
+
+#include "morph/mesh/errors.h"
+
+namespace automorph::render {
+namespace {
+
+const char* name(RTCError code) {
+    switch (code) {
+        case RTC_ERROR_NONE:
+            return "no error";
+        case RTC_ERROR_INVALID_ARGUMENT:
+            return "invalid argument";
+        case RTC_ERROR_INVALID_OPERATION:
+            return "invalid operation";
+        case RTC_ERROR_OUT_OF_MEMORY:
+            return "out of memory";
+        case RTC_ERROR_UNSUPPORTED_CPU:
+            return "this processor is not supported";
+        case RTC_ERROR_CANCELLED:
+            return "cancelled";
+        default:
+            return "unknown error";
+    }
+}
+
+RTCRay make_ray(const Vec3& origin, const Vec3& direction, float far) {
+    RTCRay ray;
+    ray.org_x = origin.x();
+    ray.org_y = origin.y();
+    ray.org_z = origin.z();
+    ray.tnear = 0.0f;
+    ray.dir_x = direction.x();
+    ray.dir_y = direction.y();
+    ray.dir_z = direction.z();
+    ray.time = 0.0f;
+    ray.tfar = far;
+    ray.mask = ~0u;
+    ray.id = 0;
+    ray.flags = 0;
+    return ray;
+}
+
+// The one place where the query calls of Embree 3 and 4 differ.
+#if RTC_VERSION_MAJOR >= 4
+void trace(RTCScene scene, RTCRayHit& ray, bool coherent) {
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+    arguments.feature_mask = RTC_FEATURE_FLAG_TRIANGLE;
+    rtcIntersect1(scene, &ray, &arguments);
+}
+
+void trace_shadow(RTCScene scene, RTCRay& ray) {
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.feature_mask = RTC_FEATURE_FLAG_TRIANGLE;
+    rtcOccluded1(scene, &ray, &arguments);
+}
+#else
+void trace(RTCScene scene, RTCRayHit& ray, bool coherent) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    rtcIntersect1(scene, &context, &ray);
+}
+
+void trace_shadow(RTCScene scene, RTCRay& ray) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene, &context, &ray);
+}
+#endif
+
+}  // namespace
+
+struct EmbreeScene::State {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+    std::vector<RTCGeometry> geometries;  // by mesh number, null without triangles; owned by the scene
+    std::mutex mutex;                     // builds report errors from any thread
+    std::string error;                    // the first one since the last check
+    bool refit = false;
+    bool changed = true;
+
+    ~State() {
+        if (scene != nullptr) rtcReleaseScene(scene);
+        if (device != nullptr) rtcReleaseDevice(device);
+    }
+
+    void check(const char* what) {
+        if (error.empty()) return;
+        const std::string message = fmt::format("Embree failed to {}: {}", what, error);
+        error.clear();
+        throw Error(message);
+    }
+};
+
+EmbreeScene::EmbreeScene(const Options& options) : state_(std::make_unique<State>()) {
+    State& state = *state_;
+    state.refit = options.refit;
+    state.device = rtcNewDevice(options.config.c_str());
+    if (state.device == nullptr) {
+        throw Error(fmt::format("Embree cannot make a device with config \"{}\": {}", options.config,
+                                name(rtcGetDeviceError(nullptr))));
+    }
+    rtcSetDeviceErrorFunction(
+        state.device,
+        [](void* user, RTCError code, const char* text) {
+            State& self = *static_cast<State*>(user);
+            const std::lock_guard lock(self.mutex);
+            if (self.error.empty())
+                self.error = fmt::format("{} ({})", text != nullptr ? text : "", name(code));
+        },
+        &state);
+    state.scene = rtcNewScene(state.device);
+    if (options.refit) rtcSetSceneFlags(state.scene, RTC_SCENE_FLAG_DYNAMIC);
+    state.check("make a scene");
+}
+
+EmbreeScene::~EmbreeScene() = default;
+
+void EmbreeScene::attach(std::uint32_t id, const TriangleMesh& mesh) {
+    State& state = *state_;
+    state.changed = true;
+    if (state.geometries.size() <= id) state.geometries.resize(id + 1, nullptr);
+    if (mesh.triangle_count() == 0) return;
+    RTCGeometry geometry = rtcNewGeometry(state.device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions(), 0,
+                               3 * sizeof(float), static_cast<std::size_t>(mesh.vertex_count()));
+    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.indices(), 0,
+                               3 * sizeof(std::uint32_t), static_cast<std::size_t>(mesh.triangle_count()));
+    if (state.refit) rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometryByID(state.scene, geometry, id);
+    rtcReleaseGeometry(geometry);
+    state.geometries[id] = geometry;
+    state.check("add a mesh");
+}
+
+void EmbreeScene::moved(std::uint32_t id) {
+    State& state = *state_;
+    state.changed = true;
+    RTCGeometry geometry = state.geometries[id];
+    if (geometry == nullptr) return;
+    rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+    rtcCommitGeometry(geometry);
+    state.check("move a mesh");
+}
+
+void EmbreeScene::commit() {
+    State& state = *state_;
+    if (!state.changed) return;
+    rtcCommitScene(state.scene);
+    state.check("build the tree");
+    state.changed = false;
+}
+
+std::optional<Hit> EmbreeScene::intersect(const Vec3& origin, const Vec3& direction, float far,
+                                          bool coherent) const {
+    RTCRayHit query;
+    query.ray = make_ray(origin, direction, far);
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    trace(state_->scene, query, coherent);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    return Hit{query.ray.tfar, query.hit.geomID, query.hit.primID};
+}
+
+bool EmbreeScene::occluded(const Vec3& origin, const Vec3& direction, float far) const {
+    RTCRay ray = make_ray(origin, direction, far);
+    trace_shadow(state_->scene, ray);
+    return ray.tfar < 0.0f;
+}
+
+}  // namespace automorph::render

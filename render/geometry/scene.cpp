@@ -1,0 +1,34 @@
+#include "render/geometry/scene.h"
+
+#include "render/geometry/embree_scene.h"
+
+namespace automorph::render {
+
+Scene::Scene(const SceneOptions& options)
+    : embree_(std::make_unique<EmbreeScene>(EmbreeScene::Options{options.embree_config, options.refit})) {}
+Scene::~Scene() = default;
+Scene::Scene(Scene&&) noexcept = default;
+Scene& Scene::operator=(Scene&&) noexcept = default;
+
+int Scene::add_mesh(const Points& V, const Triangles& F, const MeshOptions& options) {
+    const int id = mesh_count();
+    meshes_.emplace_back(V, F, options.normals, options.vertex_normals);
+    materials_.push_back(options.material);
+    embree_->attach(static_cast<std::uint32_t>(id), meshes_.back());
+    return id;
+}
+
+void Scene::move_mesh(int mesh, const Points& V) {
+    meshes_[static_cast<std::size_t>(mesh)].move(V);
+    embree_->moved(static_cast<std::uint32_t>(mesh));
+}
+
+void Scene::set_material(int mesh, const Material& material) {
+    materials_[static_cast<std::size_t>(mesh)] = material;
+}
+
+void Scene::commit() {
+    embree_->commit();
+}
+
+}  // namespace automorph::render

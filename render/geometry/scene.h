@@ -1,0 +1,73 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "morph/mesh/mesh.h"
+#include "render/bsdf/material.h"
+#include "render/geometry/triangle_mesh.h"
+#include "render/light/rectangle_light.h"
+#include "render/light/sky.h"
+
+namespace automorph::render {
+
+class EmbreeScene;
+
+struct SceneOptions {
+    /// Passed to Embree's device. "isa=sse4.2" gives the same bits on every x86-64 machine (goldens need it);
+    /// empty takes the best instruction set there is.
+    std::string embree_config;
+    /// After move_mesh, refit the tree instead of building it anew: some 20 times quicker, slower rays.
+    bool refit = false;
+};
+
+struct MeshOptions {
+    Normals normals = Normals::Smooth;
+    Material material;
+    Points
+        vertex_normals;  ///< #V x 3, optional: used instead of angle-weighted ones where normals are Smooth
+};
+
+/// Everything that is rendered: meshes, lights and sky. Meshes keep their triangles while their vertices move
+/// from frame to frame. Not copyable; one thread may change it at a time.
+class Scene {
+public:
+    explicit Scene(const SceneOptions& options = {});
+    ~Scene();
+    Scene(Scene&&) noexcept;
+    Scene& operator=(Scene&&) noexcept;
+
+    /// Adds a mesh and returns its number. Triangles with a vertex that is not finite are invisible.
+    /// @throws InvalidMesh if an index is out of range, or vertex normals are given and do not match V in
+    /// number
+    int add_mesh(const Points& V, const Triangles& F, const MeshOptions& options = {});
+
+    /// Gives mesh `mesh` new vertices (#V as before); smooth normals are computed anew.
+    /// @throws InvalidMesh if the number of vertices differs
+    void move_mesh(int mesh, const Points& V);
+
+    void set_material(int mesh, const Material& material);
+
+    std::vector<RectangleLight> lights;
+    Sky sky;
+    std::optional<Color> background;  ///< radiance of camera rays that meet nothing; the sky's when empty
+
+    int mesh_count() const { return static_cast<int>(meshes_.size()); }
+    const TriangleMesh& mesh(int index) const { return meshes_[static_cast<std::size_t>(index)]; }
+    const Material& material(int index) const { return materials_[static_cast<std::size_t>(index)]; }
+
+    /// Brings Embree's tree up to date; render() calls it.
+    /// @throws Error with Embree's message when the device or the tree cannot be made
+    void commit();
+
+    const EmbreeScene& embree() const { return *embree_; }
+
+private:
+    std::vector<TriangleMesh> meshes_;
+    std::vector<Material> materials_;
+    std::unique_ptr<EmbreeScene> embree_;
+};
+
+}  // namespace automorph::render

@@ -1,0 +1,106 @@
+#include "render/geometry/triangle_mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "morph/mesh/errors.h"
+
+namespace automorph::render {
+namespace {
+
+using Vec3d = Eigen::Vector3d;
+
+// Rays start this many times the largest coordinate off the surface. A point on a triangle is rounded by up
+// to 2^-23 of it, and Embree's triangle test errs by as much again; 32 times that is still invisible.
+constexpr float kRayOffset = 0x1p-18f;
+
+std::vector<float> to_floats(const Points& V, std::size_t padding) {
+    std::vector<float> out(static_cast<std::size_t>(V.size()) + padding, 0.0f);
+    std::transform(V.data(), V.data() + V.size(), out.begin(),
+                   [](double x) { return static_cast<float>(x); });
+    return out;
+}
+
+float largest_coordinate(const std::vector<float>& positions) {
+    float largest = 0.0f;
+    for (float x : positions) {
+        if (std::isfinite(x)) largest = std::max(largest, std::abs(x));
+    }
+    return largest;
+}
+
+// Unit vertex normals, each triangle weighted by its angle at the vertex (Thuermer and Wuethrich 1998), which
+// makes them independent of how flat parts are triangulated. Vertices without one get the zero vector.
+std::vector<float> angle_weighted_normals(const Points& V, const std::vector<std::uint32_t>& indices) {
+    Points sums = Points::Zero(V.rows(), 3);
+    for (std::size_t f = 0; f + 2 < indices.size(); f += 3) {
+        const std::array<Vec3d, 3> p{V.row(indices[f]), V.row(indices[f + 1]), V.row(indices[f + 2])};
+        const Vec3d area_normal = cross(Vec3d(p[1] - p[0]), Vec3d(p[2] - p[0]));
+        const double length = area_normal.norm();
+        if (!(length > 0.0) || !std::isfinite(length)) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3d a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
+            sums.row(indices[f + k]) += std::atan2(length, a.dot(b)) / length * area_normal;
+        }
+    }
+    for (Eigen::Index i = 0; i < sums.rows(); ++i) {
+        const double length = sums.row(i).norm();
+        if (length > 0.0) sums.row(i) /= length;
+    }
+    return to_floats(sums, 0);
+}
+
+Vec3 row(const std::vector<float>& values, std::uint32_t index) {
+    const float* p = &values[3 * static_cast<std::size_t>(index)];
+    return {p[0], p[1], p[2]};
+}
+
+}  // namespace
+
+TriangleMesh::TriangleMesh(const Points& V, const Triangles& F, Normals normals, const Points& vertex_normals)
+    : indices_(static_cast<std::size_t>(F.size())), smooth_(normals == Normals::Smooth) {
+    for (Eigen::Index f = 0; f < F.rows(); ++f) {
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            if (F(f, k) < 0 || F(f, k) >= V.rows()) {
+                throw InvalidMesh(fmt::format("triangle {} has vertex index {}, but there are {} vertices", f,
+                                              F(f, k), V.rows()));
+            }
+            indices_[static_cast<std::size_t>(3 * f + k)] = static_cast<std::uint32_t>(F(f, k));
+        }
+    }
+    if (vertex_normals.rows() != 0) {
+        if (vertex_normals.rows() != V.rows()) {
+            throw InvalidMesh(
+                fmt::format("{} vertex normals are given for {} vertices", vertex_normals.rows(), V.rows()));
+        }
+        given_normals_ = true;
+        if (smooth_) normals_ = to_floats(vertex_normals.rowwise().normalized(), 0);
+    }
+    positions_.resize(static_cast<std::size_t>(V.size()) + kPadding);
+    move(V);
+}
+
+void TriangleMesh::move(const Points& V) {
+    if (V.rows() != vertex_count()) {
+        throw InvalidMesh(fmt::format("a frame has {} vertices, the mesh has {}", V.rows(), vertex_count()));
+    }
+    // In place: Embree reads this memory.
+    const std::vector<float> moved = to_floats(V, kPadding);
+    std::copy(moved.begin(), moved.end(), positions_.begin());
+    ray_offset_ = kRayOffset * largest_coordinate(positions_);
+    if (smooth_ && !given_normals_) normals_ = angle_weighted_normals(V, indices_);
+}
+
+std::array<Vec3, 3> TriangleMesh::corners(std::uint32_t triangle) const {
+    const std::uint32_t* i = &indices_[3 * static_cast<std::size_t>(triangle)];
+    return {row(positions_, i[0]), row(positions_, i[1]), row(positions_, i[2])};
+}
+
+std::array<Vec3, 3> TriangleMesh::corner_normals(std::uint32_t triangle) const {
+    const std::uint32_t* i = &indices_[3 * static_cast<std::size_t>(triangle)];
+    return {row(normals_, i[0]), row(normals_, i[1]), row(normals_, i[2])};
+}
+
+}  // namespace automorph::render

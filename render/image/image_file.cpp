@@ -1,0 +1,121 @@
+#include "render/image/image_file.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <system_error>
+
+#include "morph/mesh/errors.h"
+
+namespace automorph::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A name beside `file` that no other writer takes, with the same extension, by which OpenImageIO goes.
+fs::path name_aside(const fs::path& file) {
+    static std::atomic<unsigned> counter{0};
+    return file.parent_path() /
+           fmt::format(".{}.{}-{}{}", file.stem().string(), getpid(), counter++, file.extension().string());
+}
+
+OIIO::ImageSpec make_spec(const fs::path& file, const Image& image, OIIO::TypeDesc type,
+                          const Metadata& metadata) {
+    if (image.width <= 0 || image.height <= 0 || (image.channels != 1 && image.channels != 3)) {
+        throw IoError(
+            fmt::format("{}: a picture of {} x {} pixels with {} channels cannot be written; give one or "
+                        "three channels",
+                        file.string(), image.width, image.height, image.channels));
+    }
+    OIIO::ImageSpec spec(image.width, image.height, image.channels, type);
+    if (image.channels == 1) spec.channelnames = {"Y"};
+    for (const auto& [key, value] : metadata) spec.attribute(key, value);
+    return spec;
+}
+
+// Writes aside, then renames: a reader sees the old file or the new one.
+void write(const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
+    const fs::path aside = name_aside(file);
+    const auto fail = [&](const std::string& why) {
+        std::error_code ignored;
+        fs::remove(aside, ignored);
+        throw IoError(fmt::format("{}: cannot write the picture: {}", file.string(), why));
+    };
+    const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(aside.string());
+    if (!out) fail(OIIO::geterror());
+    if (!out->open(aside.string(), spec) || !out->write_image(type, pixels) || !out->close())
+        fail(out->geterror());
+    std::error_code error;
+    fs::rename(aside, file, error);
+    if (error) fail(error.message());
+}
+
+// Which channels of the file are the picture's: R, G, B by name, else the first one or three.
+std::vector<int> picture_channels(const OIIO::ImageSpec& spec) {
+    const std::vector<int> rgb{spec.channelindex("R"), spec.channelindex("G"), spec.channelindex("B")};
+    if (std::none_of(rgb.begin(), rgb.end(), [](int c) { return c < 0; })) return rgb;
+    if (spec.nchannels >= 3) return {0, 1, 2};
+    return {0};
+}
+
+template <class T, class Convert>
+void read_pixels(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const fs::path& file,
+                 Image& image, const Convert& convert) {
+    const auto all = static_cast<std::size_t>(spec.nchannels);
+    std::vector<T> raw(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * all);
+    if (!in.read_image(0, 0, 0, spec.nchannels, type, raw.data())) {
+        throw IoError(fmt::format("{}: cannot read the pixels: {}", file.string(), in.geterror()));
+    }
+    const std::vector<int> channels = picture_channels(spec);
+    image = Image(spec.width, spec.height, static_cast<int>(channels.size()));
+    std::size_t next = 0;
+    for (std::size_t pixel = 0; pixel < raw.size(); pixel += all) {
+        for (int c : channels) image.pixels[next++] = convert(raw[pixel + static_cast<std::size_t>(c)]);
+    }
+}
+
+}  // namespace
+
+void write_exr(const fs::path& file, const Image& image, const Metadata& metadata) {
+    OIIO::ImageSpec spec = make_spec(file, image, OIIO::TypeDesc::FLOAT, metadata);
+    spec.attribute("compression", "zip");
+    write(file, spec, OIIO::TypeDesc::FLOAT, image.pixels.data());
+}
+
+void write_png(const fs::path& file, const Image& image, const Metadata& metadata) {
+    OIIO::ImageSpec spec = make_spec(file, image, OIIO::TypeDesc::UINT8, metadata);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    std::vector<std::uint8_t> codes(image.pixels.size());
+    std::transform(image.pixels.begin(), image.pixels.end(), codes.begin(), to_srgb8);
+    write(file, spec, OIIO::TypeDesc::UINT8, codes.data());
+}
+
+ImageFile read_image(const fs::path& file) {
+    OIIO::ImageSpec hints;
+    hints.attribute("oiio:UnassociatedAlpha", 1);  // colours as stored, alpha is dropped
+    const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(file.string(), &hints);
+    if (!in) throw IoError(fmt::format("{}: cannot read the picture: {}", file.string(), OIIO::geterror()));
+    const OIIO::ImageSpec spec = in->spec();
+    ImageFile result;
+    const auto type = static_cast<OIIO::TypeDesc::BASETYPE>(spec.format.basetype);
+    if (type == OIIO::TypeDesc::FLOAT || type == OIIO::TypeDesc::HALF) {
+        read_pixels<float>(*in, spec, OIIO::TypeDesc::FLOAT, file, result.image, [](float x) { return x; });
+    } else if (type == OIIO::TypeDesc::UINT8) {
+        read_pixels<std::uint8_t>(*in, spec, OIIO::TypeDesc::UINT8, file, result.image, from_srgb8);
+    } else {
+        throw IoError(fmt::format("{}: pixels are of type {}; expected 8-bit integers or floats",
+                                  file.string(), spec.format.c_str()));
+    }
+    for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
+        if (attribute.type() == OIIO::TypeDesc::STRING) {
+            result.metadata[attribute.name().string()] = attribute.get_string();
+        }
+    }
+    return result;
+}
+
+}  // namespace automorph::render

@@ -1,0 +1,89 @@
+#include "render/light/rectangle_light.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace automorph::render {
+namespace {
+
+using Vec3d = Eigen::Vector3d;
+
+// Integral of cosine over the polygon's solid angle [Lambert 1760]: half the sum over the edges of the angle
+// they subtend times the normal's part along the edge's plane. Corners are relative to the lit point.
+double cosine_integral(const std::array<Vec3d, 5>& corners, std::size_t count, const Vec3d& normal) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3d& a = corners[i];
+        const Vec3d& b = corners[(i + 1) % count];
+        const Vec3d axis = cross(a, b);
+        const double sine = axis.norm();
+        if (sine > 0.0) sum += std::atan2(sine, a.dot(b)) * axis.dot(normal) / sine;
+    }
+    return 0.5 * sum;
+}
+
+// The part of the polygon above the plane through the origin with the given normal [Sutherland74].
+std::size_t clip(const std::array<Vec3d, 4>& polygon, const Vec3d& normal, std::array<Vec3d, 5>& clipped) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3d& a = polygon[i];
+        const Vec3d& b = polygon[(i + 1) % polygon.size()];
+        const double above_a = a.dot(normal), above_b = b.dot(normal);
+        if (above_a >= 0.0) clipped[count++] = a;
+        if ((above_a >= 0.0) != (above_b >= 0.0))
+            clipped[count++] = a + above_a / (above_a - above_b) * (b - a);
+    }
+    return count;
+}
+
+}  // namespace
+
+RectangleLight square_light(const Vec3& center, const Vec3& target, float side, const Color& radiance) {
+    const Vec3 normal = (target - center).normalized();
+    Vec3 u = cross(Vec3(0.0f, 0.0f, 1.0f), normal);
+    u = u.squaredNorm() > 1e-12f ? Vec3(u.normalized()) : Vec3(1.0f, 0.0f, 0.0f);  // straight up or down
+    RectangleLight light;
+    light.center = center;
+    light.edge_u = side * u;
+    light.edge_v = side * cross(normal, u);
+    light.radiance = radiance;
+    return light;
+}
+
+std::optional<LightSample> sample(const RectangleLight& light, const Vec3& point, float u, float v) {
+    const Vec3 area_normal = cross(light.edge_u, light.edge_v);
+    const Vec3 to_light = light.center + (u - 0.5f) * light.edge_u + (v - 0.5f) * light.edge_v - point;
+    const float distance2 = to_light.squaredNorm();
+    const float facing = -to_light.dot(area_normal);  // area * distance * cosine at the light
+    if (!(facing > 0.0f)) return std::nullopt;
+    const float distance = std::sqrt(distance2);
+    return LightSample{to_light, to_light / distance, light.radiance, distance2 * distance / facing};
+}
+
+std::optional<LightHit> intersect(const RectangleLight& light, const Vec3& origin, const Vec3& direction) {
+    const Vec3 area_normal = cross(light.edge_u, light.edge_v);
+    const float facing = -direction.dot(area_normal);
+    if (!(facing > 0.0f)) return std::nullopt;
+    const Vec3 to_center = light.center - origin;
+    const float distance = -to_center.dot(area_normal) / facing;
+    if (!(distance > 0.0f)) return std::nullopt;
+    const Vec3 place = distance * direction - to_center;
+    if (2.0f * std::abs(place.dot(light.edge_u)) > light.edge_u.squaredNorm()) return std::nullopt;
+    if (2.0f * std::abs(place.dot(light.edge_v)) > light.edge_v.squaredNorm()) return std::nullopt;
+    return LightHit{distance, distance * distance / facing};
+}
+
+Color irradiance(const RectangleLight& light, const Vec3& point, const Vec3& normal) {
+    const Vec3d center = (light.center - point).cast<double>();
+    const Vec3d u = 0.5 * light.edge_u.cast<double>(), v = 0.5 * light.edge_v.cast<double>();
+    if (!(center.dot(cross(u, v)) < 0.0)) return Color::Zero();
+    // Clockwise seen from the lit side, so that the integral is positive where the normal faces the light.
+    const std::array<Vec3d, 4> corners{center - u - v, center - u + v, center + u + v, center + u - v};
+    std::array<Vec3d, 5> clipped;
+    const Vec3d n = normal.cast<double>();
+    const std::size_t count = clip(corners, n, clipped);
+    return light.radiance * static_cast<float>(cosine_integral(clipped, count, n));
+}
+
+}  // namespace automorph::render

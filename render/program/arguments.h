@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "morph/morph.h"
+#include "morph/shapes/shapes.h"
+
+/// What the command line asks for, one struct per subcommand. Its reading is CLI11's only door.
+namespace automorph::program {
+
+struct FigureArguments {
+    std::vector<std::filesystem::path> configs;
+    std::optional<std::filesystem::path> out;  ///< folder; with several configs, one folder per config in it
+    std::optional<int> spp;
+    double scale = 1.0;
+};
+
+struct MorphArguments {
+    std::filesystem::path source, target;
+    int frames = 5;
+    std::filesystem::path out;             ///< pattern of the numbered frames; empty: none are written
+    std::filesystem::path correspondence;  ///< CSV; empty: not written
+    std::filesystem::path report;          ///< JSON; empty: not written
+    MorphOptions options;
+    Interpolation interpolation = Interpolation::Slerp;
+};
+
+struct EllipsoidArguments {
+    std::filesystem::path out;
+    std::vector<double> semi_axes{1.0, 0.8, 0.6};
+    ShapeOptions options;
+};
+
+struct StarArguments {
+    std::filesystem::path out;
+    StarParameters parameters;
+    ShapeOptions options;
+};
+
+struct InfoArguments {
+    std::vector<std::filesystem::path> meshes;
+};
+
+struct ConfigArguments {
+    bool explain = false;                        ///< print every key
+    std::vector<std::filesystem::path> checked;  ///< configs to check
+};
+
+using Command = std::variant<FigureArguments, MorphArguments, EllipsoidArguments, StarArguments,
+                             InfoArguments, ConfigArguments>;
+
+struct Arguments {
+    Command command;
+    bool quiet = false;
+    int threads = 0;  ///< 0: all
+};
+
+/// Either what to do, or the status to exit with at once (help, version and errors have then been printed; an
+/// error is one line on stderr and status 1).
+std::variant<Arguments, int> read_arguments(int count, const char* const* values);
+
+}  // namespace automorph::program

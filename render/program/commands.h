@@ -1,0 +1,23 @@
+#pragma once
+
+#include "render/figure/progress.h"
+#include "render/program/arguments.h"
+
+/// The subcommands as functions. Each prints its findings on stdout unless `quiet`.
+namespace automorph::program {
+
+struct Surroundings {
+    bool quiet = false;
+    int threads = 0;    ///< of the path tracer; 0: all
+    Progress progress;  ///< may be empty
+};
+
+/// @throws Error of any kind; nothing half-written is left on disk
+void run(const FigureArguments& arguments, const Surroundings& surroundings);
+void run(const MorphArguments& arguments, const Surroundings& surroundings);
+void run(const EllipsoidArguments& arguments, const Surroundings& surroundings);
+void run(const StarArguments& arguments, const Surroundings& surroundings);
+void run(const InfoArguments& arguments, const Surroundings& surroundings);
+void run(const ConfigArguments& arguments, const Surroundings& surroundings);
+
+}  // namespace automorph::program

@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <map>
+
+#include "morph/mesh/errors.h"
+#include "render/figure/figure.h"
+#include "render/figure/text_file.h"
+#include "render/program/commands.h"
+#include "render/program/summary.h"
+
+namespace automorph::program {
+namespace {
+
+struct Job {
+    FigureConfig config;
+    std::filesystem::path folder;
+};
+
+/// Reads all configs and settles their folders before anything is computed.
+std::vector<Job> jobs_of(const FigureArguments& arguments) {
+    std::vector<Job> jobs;
+    std::map<std::filesystem::path, std::filesystem::path> config_of_folder;
+    for (const std::filesystem::path& file : arguments.configs) {
+        Job job{load_config(file), {}};
+        job.folder = job.config.output;
+        if (arguments.out)
+            job.folder = arguments.configs.size() > 1 ? *arguments.out / file.stem() : *arguments.out;
+        const auto [other, is_new] = config_of_folder.emplace(job.folder.lexically_normal(), file);
+        if (!is_new) {
+            throw ConfigError(fmt::format("{}: writes to {}, as {} does; give them different outputs",
+                                          file.string(), job.folder.string(), other->second.string()));
+        }
+        jobs.push_back(std::move(job));
+    }
+    for (const Job& job : jobs) make_folder(job.folder);
+    return jobs;
+}
+
+}  // namespace
+
+void run(const FigureArguments& arguments, const Surroundings& surroundings) {
+    for (const Job& job : jobs_of(arguments)) {
+        FigureOptions options;
+        options.spp = arguments.spp;
+        options.scale = arguments.scale;
+        options.threads = surroundings.threads;
+        options.progress = surroundings.progress;
+        const Figure figure = render_figure(job.config, options);
+        write_figure(job.config, figure, job.folder);
+        if (surroundings.quiet) continue;
+        for (std::size_t i = 0; i < figure.rows.size(); ++i) {
+            const std::size_t morph = figure.rows[i].morph;
+            const bool shared = i > 0 && morph <= figure.rows[i - 1].morph;
+            fmt::print("\nrow {}: {}\n", i + 1, figure.rows[i].config.label);
+            if (!shared) fmt::print("{}", summary(figure.morphs[morph]));
+        }
+        std::uint64_t bad = 0;
+        for (const FigureRow& row : figure.rows) {
+            for (const FigureCell& cell : row.cells) bad += cell.bad_samples;
+        }
+        if (bad > 0) fmt::print("\n{} samples were not finite and left out; please report it\n", bad);
+        fmt::print("\n{}: meshes {:.1f} s, morphs {:.1f} s, pictures {:.1f} s\n",
+                   (job.folder / "sheet.png").string(), figure.load_seconds, figure.morph_seconds,
+                   figure.render_seconds);
+    }
+}
+
+}  // namespace automorph::program

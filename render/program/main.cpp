@@ -1,0 +1,43 @@
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <new>
+#include <optional>
+
+#include "morph/mesh/errors.h"
+#include "render/program/arguments.h"
+#include "render/program/commands.h"
+#include "render/program/terminal_progress.h"
+
+int main(int count, char** values) {
+    using namespace automorph;
+    program::TerminalProgress terminal;
+    try {
+        const auto read = program::read_arguments(count, values);
+        if (const int* status = std::get_if<int>(&read)) return *status;
+        const auto& arguments = std::get<program::Arguments>(read);
+
+        std::optional<tbb::global_control> limit;
+        if (arguments.threads > 0) {
+            limit.emplace(tbb::global_control::max_allowed_parallelism,
+                          static_cast<std::size_t>(arguments.threads));
+        }
+        program::Surroundings surroundings{arguments.quiet, arguments.threads, {}};
+        if (!arguments.quiet) surroundings.progress = std::ref(terminal);
+        std::visit([&](const auto& command) { program::run(command, surroundings); }, arguments.command);
+        return 0;
+    } catch (const Error& error) {
+        terminal.clear();
+        fmt::print(stderr, "automorph: {}\n", error.what());
+    } catch (const std::bad_alloc&) {
+        terminal.clear();
+        fmt::print(stderr, "automorph: out of memory\n");
+    } catch (const std::exception& error) {
+        terminal.clear();
+        fmt::print(stderr, "automorph: unexpected error, please report it: {}\n", error.what());
+    }
+    return 1;
+}

@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include "morph/mesh/errors.h"
+#include "morph/mesh/io.h"
+#include "morph/morph.h"
+#include "render/figure/text_file.h"
+#include "render/program/commands.h"
+#include "render/program/frame_files.h"
+#include "render/program/summary.h"
+
+namespace automorph::program {
+namespace {
+
+/// What can be refused is refused before the work.
+void prepare_outputs(const MorphArguments& arguments) {
+    if (!arguments.out.empty() && !is_mesh_file(arguments.out)) {
+        throw IoError(
+            fmt::format("{}: frames are written as .off, .obj, .ply or .stl", arguments.out.string()));
+    }
+    for (const auto& file : {arguments.out, arguments.correspondence, arguments.report}) {
+        if (file.has_parent_path()) make_folder(file.parent_path());
+    }
+}
+
+void write_frames(const MorphArguments& arguments, const Morph& result, const Progress& progress) {
+    for (int i = 0; i < arguments.frames; ++i) {
+        const double alpha = static_cast<double>(i) / (arguments.frames - 1);
+        write_mesh(numbered(arguments.out, i, arguments.frames), result.mesh(alpha, arguments.interpolation));
+        if (progress) progress("frames", static_cast<double>(i + 1) / arguments.frames);
+    }
+}
+
+}  // namespace
+
+void run(const MorphArguments& arguments, const Surroundings& surroundings) {
+    prepare_outputs(arguments);
+    const InputMesh source = load_mesh(arguments.source.string()),
+                    target = load_mesh(arguments.target.string());
+    const Morph result = morph(source, target, arguments.options);
+    if (!surroundings.quiet) fmt::print("{}", summary(result.report()));
+
+    std::string written;
+    if (!arguments.out.empty()) {
+        write_frames(arguments, result, surroundings.progress);
+        written += fmt::format("{} ... {}\n", numbered(arguments.out, 0, arguments.frames).string(),
+                               numbered(arguments.out, arguments.frames - 1, arguments.frames).string());
+    }
+    if (!arguments.correspondence.empty()) {
+        write_text_file(arguments.correspondence, points_csv(result.correspondence()));
+        written += arguments.correspondence.string() + "\n";
+    }
+    if (!arguments.report.empty()) {
+        write_text_file(arguments.report, report_json(result.report()) + "\n");
+        written += arguments.report.string() + "\n";
+    }
+    if (surroundings.quiet) return;
+    if (written.empty()) written = "nothing: give --out, --correspondence or --report\n";
+    fmt::print("written       {}", written);
+}
+
+}  // namespace automorph::program

@@ -1,0 +1,84 @@
+#include "render/program/summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace automorph::program {
+namespace {
+
+void add_mesh(std::string& text, const char* role, const MeshReport& mesh) {
+    const std::string borders = mesh.closed ? "closed"
+                                            : fmt::format("open, {} boundary loop{}", mesh.boundary_loops,
+                                                          mesh.boundary_loops == 1 ? "" : "s");
+    text += fmt::format("{:<13} {}: {} vertices, {} triangles, {}\n", role, mesh.name, mesh.vertices,
+                        mesh.triangles, borders);
+    for (const std::string& mended : mesh.mended) text += fmt::format("{:<13} mended: {}\n", "", mended);
+}
+
+double angle_degrees(const std::array<double, 9>& rotation) {
+    const double cosine = (rotation[0] + rotation[4] + rotation[8] - 1) / 2;
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
+}
+
+void add_registration(std::string& text, const RegistrationReport& registration) {
+    if (!registration.used) {
+        text += "registration  not used\n";
+        return;
+    }
+    text += fmt::format("registration  turned by {:.1f} degrees, scale {:.4g}, residual {:.3g}{}\n",
+                        angle_degrees(registration.rotation), registration.scale, registration.residual,
+                        registration.converged ? "" : ", not converged");
+    if (!registration.confident) {
+        text += fmt::format(
+            "{:<13} NOT SURE: another pose fits nearly as well (residual {:.3g}); if the result looks "
+            "twisted,\n"
+            "{:<13} turn the source roughly into the target's pose first\n",
+            "", registration.runner_up, "");
+    }
+}
+
+void add_maps(std::string& text, const Report& report) {
+    text += fmt::format("domain        {}{}\n", report.domain,
+                        report.target_reversed ? ", the target's border turned round" : "");
+    for (const MapReport& map : report.maps) {
+        text += fmt::format("map           {}: {}{}, {} flipped, p01 {:.2g}\n", map.of, map.weights,
+                            map.reason.empty() ? "" : " (" + map.reason + ")", map.flipped, map.p01);
+    }
+    for (const OverlayReport& overlay : report.overlays) {
+        text += fmt::format("overlay       {} + {} vertices + {} crossings -> {} vertices, {} triangles\n",
+                            overlay.vertices_a, overlay.vertices_b, overlay.crossings, overlay.vertices,
+                            overlay.triangles);
+    }
+    if (report.reopened_triangles > 0) {
+        text += fmt::format("openings      {} triangles removed again\n", report.reopened_triangles);
+    }
+}
+
+void add_stages(std::string& text, const Report& report) {
+    std::string stages;
+    double total = 0, memory = 0;
+    for (const StageReport& stage : report.stages) {
+        stages += fmt::format("{}{} {:.2f}", stages.empty() ? "" : ", ", stage.name, stage.seconds);
+        total += stage.seconds;
+        memory = std::max(memory, stage.peak_memory_mb);
+    }
+    text += fmt::format("time          {:.2f} s ({}), peak memory {:.0f} MB\n", total, stages, memory);
+}
+
+}  // namespace
+
+std::string summary(const Report& report) {
+    std::string text;
+    add_mesh(text, "source", report.source);
+    add_mesh(text, "target", report.target);
+    add_registration(text, report.registration);
+    add_maps(text, report);
+    for (const std::string& note : report.notes) text += fmt::format("{:<13} {}\n", "note", note);
+    add_stages(text, report);
+    return text;
+}
+
+}  // namespace automorph::program

@@ -1,0 +1,246 @@
+#include "morph/morph.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "morph/mesh/connectivity.h"
+#include "morph/mesh/errors.h"
+#include "morph/mesh/geometry.h"
+#include "morph/shapes/shapes.h"
+#include "tests/catch.h"
+
+using namespace automorph;
+using Eigen::Vector3d;
+
+namespace {
+
+const Eigen::Matrix3d kTurn = Eigen::AngleAxisd(2.1, Vector3d(1, 2, -1).normalized()).toRotationMatrix();
+
+/// An open, lopsided dome over the unit disk: n rings, with `bump` height. No symmetry.
+Mesh dome(int n, double bump, double twist) {
+    Mesh mesh;
+    mesh.V.resize(1 + 3 * n * (n + 1), 3);
+    const auto height = [&](double x, double y) {
+        return 0.6 * (1 - x * x - 0.6 * y * y) +
+               bump * std::exp(-8 * ((x - 0.4) * (x - 0.4) + (y - 0.2) * (y - 0.2)));
+    };
+    int v = 0;
+    std::vector<int> first{0};
+    mesh.V.row(v++) << 0, 0, height(0, 0);
+    std::vector<Eigen::RowVector3i> faces;
+    for (int ring = 1; ring <= n; ++ring) {
+        first.push_back(v);
+        for (int k = 0; k < 6 * ring; ++k) {
+            const double r = static_cast<double>(ring) / n,
+                         angle = 2 * M_PI * (k + twist * ring) / (6 * ring);
+            const double x = r * std::cos(angle), y = 0.8 * r * std::sin(angle);
+            mesh.V.row(v++) << x, y, height(x, y);
+        }
+    }
+    for (int ring = 1; ring <= n; ++ring) {
+        const int outer = 6 * ring, inner = std::max(1, 6 * (ring - 1));
+        int i = 0, o = 0;  // zipper between two rings
+        while (o < outer || (ring > 1 && i < inner)) {
+            const int a = first[static_cast<std::size_t>(ring)] + o % outer;
+            const int b = first[static_cast<std::size_t>(ring - 1)] + i % inner;
+            const bool step_out =
+                ring == 1 || i >= inner || (o < outer && (o + 1) * inner <= (i + 1) * outer);
+            if (step_out) {
+                faces.push_back({b, a, first[static_cast<std::size_t>(ring)] + (o + 1) % outer});
+                ++o;
+            } else {
+                faces.push_back({b, a, first[static_cast<std::size_t>(ring - 1)] + (i + 1) % inner});
+                ++i;
+            }
+        }
+    }
+    mesh.F.resize(static_cast<Eigen::Index>(faces.size()), 3);
+    for (std::size_t f = 0; f < faces.size(); ++f) mesh.F.row(static_cast<Eigen::Index>(f)) = faces[f];
+    return mesh;
+}
+
+Mesh moved(Mesh mesh, const Eigen::Matrix3d& R, const Vector3d& t, double scale = 1.0) {
+    for (int v = 0; v < mesh.vertex_count(); ++v)
+        mesh.V.row(v) = (scale * R * mesh.V.row(v).transpose() + t).transpose();
+    return mesh;
+}
+
+/// Removes the triangles whose centre is within `radius` of (x, y): an opening.
+Mesh with_opening(const Mesh& mesh, double x, double y, double radius) {
+    Mesh open = mesh;
+    int kept = 0;
+    for (int f = 0; f < mesh.triangle_count(); ++f) {
+        Vector3d centre = Vector3d::Zero();
+        for (int k = 0; k < 3; ++k) centre += mesh.V.row(mesh.F(f, k)).transpose() / 3.0;
+        if (std::hypot(centre.x() - x, centre.y() - y) > radius) open.F.row(kept++) = mesh.F.row(f);
+    }
+    open.F.conservativeResize(kept, 3);
+    return open;
+}
+
+/// Every vertex of the input is a vertex of the merged shape, bit for bit.
+void check_holds_vertices(const Points& merged, const Mesh& input) {
+    std::set<std::array<double, 3>> places;
+    for (int v = 0; v < merged.rows(); ++v) places.insert({merged(v, 0), merged(v, 1), merged(v, 2)});
+    int missing = 0;
+    for (int v = 0; v < input.vertex_count(); ++v) {
+        missing += places.count({input.V(v, 0), input.V(v, 1), input.V(v, 2)}) == 0;
+    }
+    CHECK(missing == 0);
+}
+
+/// Number of undirected edges that are not used once in either direction.
+int unmatched_edges(const Triangles& F) {
+    std::map<std::pair<int, int>, int> directed;
+    for (int f = 0; f < F.rows(); ++f) {
+        for (int k = 0; k < 3; ++k) ++directed[{F(f, k), F(f, (k + 1) % 3)}];
+    }
+    int unmatched = 0;
+    for (const auto& [edge, count] : directed) {
+        const auto twin = directed.find({edge.second, edge.first});
+        unmatched += count != 1 || twin == directed.end();
+    }
+    return unmatched;
+}
+
+double area(const Points& V, const Triangles& F) {
+    return triangle_areas({V, F}).sum();
+}
+
+void check_reproduces_both(const Morph& result, const Mesh& source, const Mesh& target) {
+    check_holds_vertices(result.frame(0), source);
+    check_holds_vertices(result.frame(1), target);
+    CHECK(area(result.frame(0), result.triangles()) == Approx(area(source.V, source.F)).epsilon(1e-9));
+    CHECK(area(result.frame(1), result.triangles()) == Approx(area(target.V, target.F)).epsilon(1e-9));
+    for (const MapReport& map : result.report().maps) CHECK(map.flipped == 0);
+}
+
+}  // namespace
+
+TEST_CASE("an open pair becomes one connectivity that reproduces both inputs") {
+    const InputMesh source = admit_mesh(dome(12, 0.5, 0.0));
+    const InputMesh target = admit_mesh(moved(dome(15, 0.4, 0.4), kTurn, {3, -2, 5}, 2.5));
+    const Morph result = morph(source, target, {.lift = false});
+    check_reproduces_both(result, source.mesh, target.mesh);
+
+    const Connectivity topology = connectivity(result.triangles(), static_cast<int>(result.frame(0).rows()));
+    CHECK(euler_characteristic(topology) == 1);
+    CHECK(boundary_loops(result.mesh(0), topology).size() == 1);
+
+    const OverlayReport& overlay = result.report().overlays.at(0);
+    CHECK(overlay.vertices ==
+          overlay.vertices_a + overlay.vertices_b + overlay.crossings - overlay.coincident);
+    CHECK(overlay.zero_area_a == 0);
+    CHECK(overlay.zero_area_b == 0);
+}
+
+TEST_CASE("lifting keeps every input vertex at its place") {
+    const InputMesh source = admit_mesh(dome(8, 0.5, 0.0)), target = admit_mesh(dome(9, 0.3, 0.3));
+    const Morph result = morph(source, target);
+    check_holds_vertices(result.frame(0), source.mesh);
+    check_holds_vertices(result.frame(1), target.mesh);
+}
+
+TEST_CASE("a closed pair, cut and glued again, is watertight and reproduces both inputs") {
+    const InputMesh source = admit_mesh(ellipsoid({1.0, 0.7, 0.5}, {.triangles = 900, .seed = 3}));
+    const InputMesh target =
+        admit_mesh(star({}, {.triangles = 1100, .seed = 4, .rotation = kTurn, .translation = {2, 0, 1}}));
+    for (const Alignment alignment : {Alignment::Registration, Alignment::None}) {
+        const Morph result = morph(source, target, {.alignment = alignment, .lift = false});
+        check_reproduces_both(result, source.mesh, target.mesh);
+        CHECK(unmatched_edges(result.triangles()) == 0);
+        const Connectivity topology =
+            connectivity(result.triangles(), static_cast<int>(result.frame(0).rows()));
+        CHECK(euler_characteristic(topology) == 2);
+        CHECK(result.report().registration.used == (alignment == Alignment::Registration));
+        CHECK(result.report().overlays.size() == 2);
+    }
+    const Morph lifted = morph(source, target);
+    check_holds_vertices(lifted.frame(0), source.mesh);
+    CHECK(unmatched_edges(lifted.triangles()) == 0);
+}
+
+TEST_CASE("a shape and its turned copy correspond, and slerp frames are rigid copies") {
+    const Mesh shape = dome(12, 0.5, 0.0);
+    const InputMesh source = admit_mesh(shape), target = admit_mesh(moved(shape, kTurn, {1, 2, 3}));
+    const Morph result = morph(source, target);
+    const Report& report = result.report();
+    const Eigen::Matrix3d R =
+        Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(report.registration.rotation.data());
+    CHECK((R - kTurn).norm() < 1e-6);
+    CHECK((result.correspondence() - target.mesh.V).rowwise().norm().maxCoeff() < 1e-5);
+    const double whole = area(result.frame(0), result.triangles());
+    for (const double alpha : {0.25, 0.5, 0.75}) {
+        CHECK(area(result.frame(alpha), result.triangles()) == Approx(whole).epsilon(1e-5));
+        CHECK(area(result.frame(alpha, Interpolation::Linear), result.triangles()) < 0.95 * whole);
+    }
+}
+
+TEST_CASE("the ends are exact for every interpolation") {
+    const Morph result =
+        morph(admit_mesh(dome(6, 0.5, 0.0)), admit_mesh(moved(dome(7, 0.2, 0.2), kTurn, {1, 0, 0})));
+    for (const auto scheme : {Interpolation::Linear, Interpolation::RigidLinear, Interpolation::Slerp}) {
+        CHECK(result.frame(0, scheme) == result.endpoints().a);
+        CHECK(result.frame(1, scheme) == result.endpoints().b);
+    }
+}
+
+TEST_CASE("openings are filled for the maps and opened again") {
+    const InputMesh source = admit_mesh(with_opening(dome(14, 0.5, 0.0), -0.3, 0.1, 0.2));
+    const InputMesh target =
+        admit_mesh(moved(with_opening(dome(15, 0.5, 0.3), -0.3, 0.1, 0.22), kTurn, {0, 1, 0}));
+    const Morph opened = morph(source, target);
+    CHECK(opened.report().reopened_triangles > 0);
+    const auto loops = [](const Morph& m) {
+        return boundary_loops(m.mesh(0), connectivity(m.triangles(), static_cast<int>(m.frame(0).rows())))
+            .size();
+    };
+    CHECK(loops(opened) == 2);
+    const Morph filled = morph(source, target, {.openings = Openings::Fill});
+    CHECK(loops(filled) == 1);
+    CHECK(filled.triangles().rows() == opened.triangles().rows() + opened.report().reopened_triangles);
+}
+
+TEST_CASE("a target that faces the other way is noticed by its border's direction") {
+    Mesh turned = dome(13, 0.5, 0.2);
+    turned.F.col(1).swap(turned.F.col(2));
+    const Morph result = morph(admit_mesh(dome(12, 0.5, 0.0)), admit_mesh(turned));
+    CHECK(result.report().target_reversed);
+    CHECK((result.correspondence() - dome(12, 0.5, 0.0).V).rowwise().norm().mean() < 0.05);
+}
+
+TEST_CASE("the correspondence follows the file's vertices, unused ones too") {
+    Mesh source = dome(8, 0.5, 0.0);
+    Points with_unused(source.vertex_count() + 1, 3);
+    with_unused << 9, 9, 9, source.V;
+    source.V = with_unused;
+    source.F.array() += 1;
+    const Morph result = morph(admit_mesh(source), admit_mesh(dome(8, 0.5, 0.0)));
+    const Points correspondence = result.correspondence();
+    REQUIRE(correspondence.rows() == source.vertex_count());
+    CHECK(correspondence.row(0).array().isNaN().all());
+    CHECK((correspondence.bottomRows(source.vertex_count() - 1) - dome(8, 0.5, 0.0).V)
+              .rowwise()
+              .norm()
+              .maxCoeff() < 1e-5);
+}
+
+TEST_CASE("one open and one closed mesh are refused with a reason") {
+    const InputMesh open = admit_mesh(dome(5, 0.5, 0.0), "dome"),
+                    closed = admit_mesh(ellipsoid({1, 1, 1}, {.triangles = 200}), "ball");
+    CHECK_THROWS_AS(morph(open, closed), InvalidMesh);
+    CHECK_THROWS_AS(morph(closed, open), InvalidMesh);
+}
+
+TEST_CASE("the same input gives the same morph, and the report says what was done") {
+    const InputMesh source = admit_mesh(dome(9, 0.5, 0.0)), target = admit_mesh(dome(10, 0.3, 0.3));
+    const Morph first = morph(source, target), second = morph(source, target);
+    CHECK(first.frame(0.3) == second.frame(0.3));
+    CHECK(first.triangles() == second.triangles());
+    const std::string json = report_json(first.report());
+    for (const char* key : {"\"rotation\"", "\"weights\"", "\"crossings\"", "\"seconds\"", "\"confident\""}) {
+        CHECK(json.find(key) != std::string::npos);
+    }
+}
