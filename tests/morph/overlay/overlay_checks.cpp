@@ -42,10 +42,6 @@ int turn(const ExactRay& a, const ExactRay& b, const ExactRay& c) {
     return sign(dot(cross(a, b), c));
 }
 
-Ray rounded(const ExactRay& r) {
-    return {CGAL::to_double(r[0]), CGAL::to_double(r[1]), CGAL::to_double(r[2])};
-}
-
 /// True if x, on the great circle (line) through p and q, lies strictly between them.
 bool between(const ExactRay& x, const ExactRay& p, const ExactRay& q) {
     const ExactRay n = cross(p, q);
@@ -112,8 +108,8 @@ public:
             check_counts();
             if (check_faces()) {
                 check_topology();
-                check_areas(a_, overlay_.face_of_a);
-                check_areas(b_, overlay_.face_of_b);
+                check_areas(a_, overlay_.on_a, overlay_.face_of_a);
+                check_areas(b_, overlay_.on_b, overlay_.face_of_b);
                 check_paths(a_, overlay_.on_a);
                 check_paths(b_, overlay_.on_b);
             }
@@ -341,13 +337,13 @@ private:
         return sum;
     }
 
-    void check_areas(const Map& map, const std::vector<int>& face_of) {
+    void check_areas(const Map& map, const std::vector<Site>& sites, const std::vector<int>& face_of) {
         std::vector<double> pieces(static_cast<std::size_t>(map.map.mesh.triangle_count()), 0.0);
         double total = 0, domain = 0;
         for (int f = 0; f < overlay_.face_count(); ++f) {
             std::vector<Ray> polygon;
             for (int k = overlay_.polygon_start[f]; k < overlay_.polygon_start[f + 1]; ++k)
-                polygon.push_back(rounded(exact_[overlay_.polygon_vertices[k]]));
+                polygon.push_back(map.place(sites[overlay_.polygon_vertices[k]]));
             const double piece = area(polygon);
             pieces[face_of[f]] += piece;
             total += piece;
