@@ -26,8 +26,9 @@ constexpr double kSmallestAreaShare = 1e-13;
 constexpr double kSmallestDiagonal = 1e-50;
 
 void check_soup(const PolygonSoup& soup, const std::string& name) {
-    for (Eigen::Index v = 0; v < soup.V.rows(); ++v) {
-        if (!(soup.V.row(v).cwiseAbs().maxCoeff() <= kLargestCoordinate)) {
+    for (Eigen::Index i = 0; i < soup.V.size(); ++i) {
+        if (!(std::abs(soup.V.data()[i]) <= kLargestCoordinate)) {
+            const Eigen::Index v = i / 3;
             throw InvalidMesh(
                 fmt::format("{}: vertex {} is at ({} {} {}); coordinates must be finite and below {:g}", name,
                             v, soup.V(v, 0), soup.V(v, 1), soup.V(v, 2), kLargestCoordinate));
@@ -42,6 +43,13 @@ void check_soup(const PolygonSoup& soup, const std::string& name) {
             }
         }
     }
+}
+
+void refuse_no_size(const Points& V, const std::string& name) {
+    const double diagonal = bounding_box_diagonal(V);
+    if (diagonal > kSmallestDiagonal) return;
+    throw InvalidMesh(fmt::format("{}: all {} vertices lie within {:g} of each other: the shape has no size",
+                                  name, V.rows(), diagonal));
 }
 
 Draft first_draft(const PolygonSoup& soup, const std::string& name) {
@@ -121,12 +129,6 @@ void refuse_components(const Draft& draft, const std::string& name) {
 }
 
 void refuse_no_area(const Draft& draft, const std::string& name) {
-    const double diagonal = bounding_box_diagonal(draft.V);
-    if (!(diagonal > kSmallestDiagonal)) {
-        throw InvalidMesh(
-            fmt::format("{}: all {} vertices lie within {:g} of each other: the shape has no size", name,
-                        draft.V.rows(), diagonal));
-    }
     double squares = 0.0;
     for (const auto& f : draft.F.rowwise()) {
         double longest = 0.0;
@@ -141,7 +143,7 @@ void refuse_no_area(const Draft& draft, const std::string& name) {
             fmt::format("{}: all {} triangles have zero area (in total {:g}, the longest extent is {:g}): "
                         "their vertices lie on "
                         "lines; check the file's coordinates",
-                        name, draft.F.rows(), area, diagonal));
+                        name, draft.F.rows(), area, bounding_box_diagonal(draft.V)));
     }
 }
 
@@ -230,6 +232,7 @@ AdmittedMesh admit(const PolygonSoup& soup, const std::string& name) {
                         soup.V.rows()));
     }
     check_soup(soup, name);
+    refuse_no_size(soup.V, name);
     MeshInspection found = inspect(soup);
     AdmittedMesh result = mend_merged_or_as_is(first_draft(soup, name), name);
     result.found = found;

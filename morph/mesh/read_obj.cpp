@@ -24,7 +24,7 @@ std::int64_t corner_vertex(const TextCursor& in, std::string_view corner, std::i
             fmt::format("expected a face corner such as 7, 7/1, 7//3 or 7/1/3, found {}", quoted(corner)));
     }
     if (index == 0) in.fail("vertex 0 in a face; OBJ counts vertices from 1");
-    if (index < 0 && -index > vertex_count) {
+    if (index < -vertex_count) {
         in.fail(fmt::format("vertex {} in a face, but only {} vertices come before it", index, vertex_count));
     }
     return index > 0 ? index - 1 : vertex_count + index;

@@ -136,7 +136,8 @@ PolygonSoup read_text(TextCursor& in, const Header& header) {
     }
     if (!in.at_end()) {
         const std::string_view more = in.token();
-        in.fail(fmt::format("{} follows the {} faces that the header announces", quoted(more), counts.faces));
+        in.fail(fmt::format("the header announces {} faces, but more data follow: {}; correct the count",
+                            counts.faces, quoted(more)));
     }
     return soup.finish();
 }

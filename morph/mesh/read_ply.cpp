@@ -210,8 +210,8 @@ std::int64_t list_length(Values& values, const Property& p, std::string_view wha
     const double length = values.next(p.count_type, what, index);
     if (!(length >= 0.0 && length == std::floor(length) &&
           length <= static_cast<double>(values.bytes_left() / Values::smallest(p.type)))) {
-        values.fail(fmt::format("{} {}: a list of {} values, but {} bytes follow", what, index, length,
-                                values.bytes_left()));
+        values.fail(fmt::format("{} {}: a list of {} values, more than the bytes that follow can hold", what,
+                                index, length));
     }
     return static_cast<std::int64_t>(length);
 }

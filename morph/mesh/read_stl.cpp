@@ -1,6 +1,7 @@
 // STL: a bag of triangles, text or binary. Corners are not shared; admit() merges them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "morph/mesh/binary_cursor.h"

@@ -3,6 +3,8 @@
 #include <Eigen/SparseCore>
 #include <algorithm>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 
 #include "morph/mesh/geometry.h"
 #include "morph/parameterization/border_union.h"

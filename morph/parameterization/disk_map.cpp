@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "morph/mesh/errors.h"
 #include "morph/parameterization/repair_map.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "morph/exact/predicates.h"
 #include "morph/parameterization/map_quality.h"

@@ -33,6 +33,7 @@ OIIO::ImageSpec make_spec(const fs::path& file, const Image& image, OIIO::TypeDe
     }
     OIIO::ImageSpec spec(image.width, image.height, image.channels, type);
     if (image.channels == 1) spec.channelnames = {"Y"};
+    spec.attribute("DateTime", "");  // else OpenImageIO writes the time of day
     for (const auto& [key, value] : metadata) spec.attribute(key, value);
     return spec;
 }

@@ -15,8 +15,8 @@ constexpr double kGroundSide = 60.0;  // beyond, the background is the same
 constexpr double kGroundGap = 1e-3;   // under the lowest point
 
 // Irradiance of the key light at the centre, and radiance of the sky: clay that faces the key comes to 0.8.
-constexpr float kKeyIrradiance = 2.2f;
-constexpr float kSkyRadiance = 0.36f;
+constexpr float kKeyIrradiance = 2.25f;
+constexpr float kSkyRadiance = 0.26f;
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void add_studio(Scene& scene, const Camera& camera, const Bounds& bounds, const 
     const Eigen::Vector3d right = cross(forward, up).normalized();
     const Eigen::Vector3d level = cross(up, right);  // the view without its slope
 
-    const Eigen::Vector3d to_key = (-0.75 * level - 0.65 * right + 0.9 * up).normalized();
+    const Eigen::Vector3d to_key = (-0.6 * level - 0.75 * right + 0.8 * up).normalized();
     const Eigen::Vector3d key = bounds.center() + kKeyDistance * radius * to_key;
     const auto distance = static_cast<float>(kKeyDistance * radius),
                side = static_cast<float>(kKeySide * radius);
@@ -73,7 +73,7 @@ void add_studio(Scene& scene, const Camera& camera, const Bounds& bounds, const 
     F << 0, 1, 2, 0, 2, 3;
     MeshOptions ground;
     ground.normals = Normals::Flat;
-    ground.material.albedo.setConstant(0.8f);
+    ground.material.albedo.setConstant(0.5f);
     ground.material.shadow_catcher = true;
     scene.add_mesh(V, F, ground);
 }

@@ -1,7 +1,7 @@
 #include "morph/parameterization/border.h"
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <random>
 
 #include "morph/exact/predicates.h"
@@ -319,12 +319,12 @@ TEST_CASE("the mirrored union gives the second half of a cut shape the same bord
 
 TEST_CASE("a border of a million vertices is united in time n log n") {
     const Points a = regular(500000), b = regular(499999);
-    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin = std::clock();
     const BorderUnion u = border_union(a, b, {});
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     CHECK(u.size() <= 999999);
     CHECK(u.size() >= 500000);
-    CHECK(seconds < 5.0);
+    CHECK(seconds < 5.0);  // of the processor; 0.2 s is usual, a quadratic method takes minutes
     const Points rays = border_rays(u.angles);
     CHECK(strictly_convex(rays));
 }

@@ -1,0 +1,181 @@
+// Runs the built program as a user does.
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+
+#include "morph/mesh/io.h"
+#include "tests/catch.h"
+#include "tests/render/temporary_folder.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string content(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+int lines_in(const std::string& text) {
+    return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+std::set<std::string> names_in(const fs::path& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
+    return names;
+}
+
+struct Run {
+    int status;
+    std::string out, err;
+};
+
+// Runs `automorph ARGUMENTS` with `folder` as working directory.
+Run run_program(const TemporaryFolder& folder, const std::string& arguments) {
+    const TemporaryFolder logs;
+    const std::string command = "cd '" + folder.path().string() + "' && '" AUTOMORPH_PROGRAM "' " +
+                                arguments + " >'" + (logs / "out").string() + "' 2>'" +
+                                (logs / "err").string() + "' </dev/null";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(logs / "out"), content(logs / "err")};
+}
+
+void make_shapes(const TemporaryFolder& folder) {
+    REQUIRE(
+        run_program(folder, "shape ellipsoid a.off --semi-axes 1 0.8 0.5 --triangles 300 --seed 2").status ==
+        0);
+    REQUIRE(run_program(folder, "shape star b.ply --triangles 400").status == 0);
+}
+
+}  // namespace
+
+TEST_CASE("help teaches by examples and the version is told") {
+    const TemporaryFolder folder;
+    const Run help = run_program(folder, "--help");
+    CHECK(help.status == 0);
+    for (const char* phrase :
+         {"figure", "morph", "shape", "info", "--version", "automorph figure configs/fig7.yaml"}) {
+        INFO(phrase);
+        CHECK(help.out.find(phrase) != std::string::npos);
+    }
+    CHECK(run_program(folder, "morph --help").out.find("--correspondence") != std::string::npos);
+    CHECK(run_program(folder, "--version").out.rfind("automorph ", 0) == 0);
+    CHECK(run_program(folder, "config --explain").out.find("picture.spp\n") != std::string::npos);
+}
+
+TEST_CASE(
+    "two shapes are generated, inspected and morphed into numbered frames, a correspondence and a report") {
+    const TemporaryFolder folder;
+    make_shapes(folder);
+    const Run info = run_program(folder, "info a.off");
+    CHECK(info.status == 0);
+    CHECK(info.out.find("can be morphed") != std::string::npos);
+    CHECK(info.out.find("closed") != std::string::npos);
+
+    const Run morph = automorph(
+        folder, "morph a.off b.ply --frames 4 --out frames/m_.off --correspondence c.csv --report r.json");
+    INFO(morph.err);
+    REQUIRE(morph.status == 0);
+    CHECK(morph.out.find("registration") != std::string::npos);
+    CHECK(names_in(folder / "frames") ==
+          std::set<std::string>{"m_000.off", "m_001.off", "m_002.off", "m_003.off"});
+    CHECK(names_in(folder.path()) == std::set<std::string>{"a.off", "b.ply", "c.csv", "r.json", "frames"});
+
+    const auto a = automorph::read_mesh(folder / "a.off"), b = automorph::read_mesh(folder / "b.ply");
+    const auto first = automorph::read_mesh(folder / "frames/m_000.off");
+    const auto last = automorph::read_mesh(folder / "frames/m_003.off");
+    CHECK(first.polygon_vertices == last.polygon_vertices);
+    CHECK(first.V.rows() > a.V.rows() + b.V.rows());
+    // Both ends hold every vertex of their shape.
+    for (const auto& [shape, frame] : {std::pair{&a, &first}, std::pair{&b, &last}}) {
+        double farthest = 0;
+        for (Eigen::Index i = 0; i < shape->V.rows(); ++i) {
+            farthest = std::max(farthest, (frame->V.rowwise() - shape->V.row(i)).rowwise().norm().minCoeff());
+        }
+        CHECK(farthest < 1e-12);
+    }
+    const std::string csv = content(folder / "c.csv");
+    CHECK(csv.rfind("x,y,z\n", 0) == 0);
+    CHECK(lines_in(csv) == a.V.rows() + 1);
+    CHECK(csv.find("nan") == std::string::npos);
+    CHECK(content(folder / "r.json").find("\"rotation\"") != std::string::npos);
+}
+
+TEST_CASE("results do not depend on the number of threads, and --quiet prints nothing") {
+    const TemporaryFolder folder;
+    make_shapes(folder);
+    const Run one = automorph(
+        folder, "--quiet --threads 1 morph a.off b.ply --frames 2 --out one_.off --correspondence 1.csv");
+    const Run two = automorph(
+        folder, "morph a.off b.ply --frames 2 --out two_.off --correspondence 2.csv -q --threads 2");
+    REQUIRE(one.status == 0);
+    REQUIRE(two.status == 0);
+    CHECK(one.out + one.err + two.out + two.err == "");
+    CHECK(content(folder / "one_001.off") == content(folder / "two_001.off"));
+    CHECK(content(folder / "1.csv") == content(folder / "2.csv"));
+}
+
+TEST_CASE("a figure is made from a config into out/ and its name") {
+    const TemporaryFolder folder;
+    make_shapes(folder);
+    fs::create_directories(folder / "configs");
+    std::ofstream(folder / "configs/tiny.yaml")
+        << "source: ../a.off\ntarget: ../b.ply\nrows: [{label: only}]\n"
+           "alphas: [0, 1/2]\npicture: {width: 32, height: 32, spp: 1}\n";
+    const Run figure = run_program(folder, "figure configs/tiny.yaml");
+    INFO(figure.err);
+    REQUIRE(figure.status == 0);
+    const std::set<std::string> expected{"row1-col1.exr", "row1-col1.png", "row1-col2.exr",
+                                         "row1-col2.png", "sheet.png",     "metrics.json"};
+    CHECK(names_in(folder / "out/tiny") == expected);
+    CHECK(figure.out.find("out/tiny/sheet.png") != std::string::npos);
+    CHECK(figure.err.find('\r') == std::string::npos);  // no terminal, no bar
+    CHECK(figure.err.find("pictures of row 1 (only): ") != std::string::npos);
+}
+
+TEST_CASE("every error is one line on stderr and status 1, and leaves nothing behind") {
+    const TemporaryFolder folder;
+    make_shapes(folder);
+    std::ofstream(folder / "bad.yaml") << "source: a.off\ntarget: b.ply\nrowz: []\n";
+    std::ofstream(folder / "gone.yaml")
+        << "source: gone.off\ntarget: b.ply\nrows: [{label: x}]\noutput: made\n";
+    std::ofstream(folder / "broken.off") << "OFF\n3 1 0\n0 0 0\n1 0 zero\n";
+    const std::set<std::string> before = names_in(folder.path());
+    const auto check = [&](const std::string& arguments, const std::string& phrase) {
+        const Run result = run_program(folder, arguments + " -q");
+        INFO(arguments);
+        INFO(result.err);
+        CHECK(result.status == 1);
+        CHECK(lines_in(result.err) == 1);
+        CHECK(result.out.empty());
+        CHECK(result.err.rfind("automorph: ", 0) == 0);
+        CHECK(result.err.find(phrase) != std::string::npos);
+        std::set<std::string> after = names_in(folder.path());
+        after.erase("made");
+        CHECK(after == before);
+    };
+    check("morph gone.off b.ply --out m_.ply", "gone.off");
+    check("morph a.off broken.off --out m_.ply", "broken.off:4");
+    check("morph a.off b.ply --out m_.jpg", "m_.jpg");
+    check("morph a.off b.ply --out a.off/m_.ply", "a.off: cannot be used as output folder");
+    check("morph a.off b.ply --correspondence a.off/c.csv", "a.off");
+    check("morph a.off b.ply --frames few", "--frames");
+    check("morph a.off", "TARGET");
+    check("shape star gone/s.ply", "gone/s.ply");
+    check("shape star s.xyz", "s.xyz");
+    check("figure bad.yaml", "bad.yaml:3:1: unknown key 'rowz' in the config; did you mean 'rows'?");
+    check("figure gone.yaml", "gone.off");
+    check("figure no.yaml", "no.yaml");
+    check("figure gone.yaml --out a.off/x", "a.off");
+    check("info gone.off", "gone.off");
+    check("fly", "fly");
+    CHECK((!fs::exists(folder / "made") || fs::is_empty(folder / "made")));
+}

@@ -1,0 +1,210 @@
+#include <filesystem>
+#include <limits>
+#include <sstream>
+
+#include "morph/mesh/errors.h"
+#include "morph/mesh/io.h"
+#include "render/program/arguments.h"
+#include "render/program/commands.h"
+#include "render/program/frame_files.h"
+#include "render/program/summary.h"
+#include "render/program/terminal_progress.h"
+#include "tests/catch.h"
+#include "tests/render/temporary_folder.h"
+
+using namespace automorph;
+using namespace automorph::program;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::variant<Arguments, int> read(const std::vector<const char*>& words) {
+    std::vector<const char*> all{"automorph"};
+    all.insert(all.end(), words.begin(), words.end());
+    return read_arguments(static_cast<int>(all.size()), all.data());
+}
+
+template <class Command>
+Command command_of(const std::vector<const char*>& words) {
+    const auto result = read(words);
+    REQUIRE(std::holds_alternative<Arguments>(result));
+    const Command* command = std::get_if<Command>(&std::get<Arguments>(result).command);
+    REQUIRE(command);
+    return *command;
+}
+
+int status_of(const std::vector<const char*>& words) {
+    const auto result = read(words);
+    return std::holds_alternative<int>(result) ? std::get<int>(result) : -1;
+}
+
+}  // namespace
+
+TEST_CASE("frames are numbered between stem and extension, with at least three digits") {
+    CHECK(numbered("m_.ply", 0, 5) == fs::path("m_000.ply"));
+    CHECK(numbered("m_.ply", 4, 5) == fs::path("m_004.ply"));
+    CHECK(numbered("a.b/x.y.obj", 12, 1000) == fs::path("a.b/x.y012.obj"));
+    CHECK(numbered("m.off", 999, 1001) == fs::path("m0999.off"));
+    CHECK(numbered("/t/.off", 1, 2).parent_path() == fs::path("/t"));
+}
+
+TEST_CASE("a correspondence file reads back to the same doubles, row by row") {
+    Points points(3, 3);
+    points << 1.0 / 3, -0.1, 1e-300, 12345678.901234567, 0, -5, 0, 0, 0;
+    points.row(2).setConstant(std::numeric_limits<double>::quiet_NaN());
+    std::istringstream text(points_csv(points));
+    std::string line;
+    std::getline(text, line);
+    CHECK(line == "x,y,z");
+    for (int i = 0; i < 2; ++i) {
+        REQUIRE(std::getline(text, line));
+        std::istringstream fields(line);
+        std::string field;
+        for (int j = 0; j < 3; ++j) {
+            REQUIRE(std::getline(fields, field, ','));
+            CHECK(std::stod(field) == points(i, j));
+        }
+    }
+    REQUIRE(std::getline(text, line));
+    CHECK(line == "nan,nan,nan");
+    CHECK_FALSE(std::getline(text, line));
+}
+
+TEST_CASE("the summary tells what was found, and says so when the registration is unsure") {
+    Report report;
+    report.source.name = "a.obj";
+    report.source.vertices = 120;
+    report.source.boundary_loops = 3;
+    report.source.mended = {"merged 7 duplicate vertices"};
+    report.target.name = "b.obj";
+    report.target.closed = true;
+    report.registration.used = true;
+    report.registration.converged = true;
+    report.registration.rotation = {0, -1, 0, 1, 0, 0, 0, 0, 1};
+    report.registration.confident = true;
+    report.maps = {{"source", "mean value", "cotangent weights flipped 3 triangles", 0, 0.25, 0.1, 1e-12}};
+    report.notes = {"a note"};
+    report.stages = {{"registration", 0.5, 10}, {"overlay", 0.25, 30}};
+    const std::string sure = summary(report);
+    for (const char* phrase :
+         {"a.obj: 120 vertices", "3 boundary loops", "merged 7 duplicate vertices", "closed",
+          "turned by 90.0 degrees", "mean value (cotangent weights flipped 3 triangles)", "0 flipped",
+          "a note", "0.75 s", "peak memory 30 MB"}) {
+        INFO(phrase);
+        CHECK(sure.find(phrase) != std::string::npos);
+    }
+    CHECK(sure.find("NOT SURE") == std::string::npos);
+    CHECK(sure.find("not converged") == std::string::npos);
+    report.registration.confident = false;
+    CHECK(summary(report).find("NOT SURE") != std::string::npos);
+    report.registration.converged = false;
+    CHECK(summary(report).find("not converged") != std::string::npos);
+    report.registration.used = false;
+    CHECK(summary(report).find("registration  not used") != std::string::npos);
+    CHECK(summary(report).find("NOT SURE") == std::string::npos);
+}
+
+TEST_CASE("the progress bar grows with the fraction and stays within its brackets") {
+    CHECK(progress_bar("x", 0, 0) == "[....................]   0 %  x");
+    CHECK(progress_bar("x", 0.5, 10) == "[##########..........]  50 %  x, 10 s left");
+    CHECK(progress_bar("x", 1, 10) == "[####################] 100 %  x");
+    CHECK(progress_bar("x", 7, 10) == progress_bar("x", 1, 10));
+    CHECK(progress_bar("x", -7, 10) == progress_bar("x", 0, 10));
+}
+
+TEST_CASE("the command line arrives in full") {
+    const auto morph = command_of<MorphArguments>({"morph",
+                                                   "a.obj",
+                                                   "b.ply",
+                                                   "--frames",
+                                                   "9",
+                                                   "--out",
+                                                   "m_.off",
+                                                   "--correspondence",
+                                                   "c.csv",
+                                                   "--report",
+                                                   "r.json",
+                                                   "--alignment",
+                                                   "none",
+                                                   "--interpolation",
+                                                   "rigid-linear",
+                                                   "--no-lift",
+                                                   "--openings",
+                                                   "fill",
+                                                   "--seed",
+                                                   "77"});
+    CHECK(morph.source == fs::path("a.obj"));
+    CHECK(morph.target == fs::path("b.ply"));
+    CHECK(morph.frames == 9);
+    CHECK(morph.out == fs::path("m_.off"));
+    CHECK(morph.correspondence == fs::path("c.csv"));
+    CHECK(morph.report == fs::path("r.json"));
+    CHECK(morph.options.alignment == Alignment::None);
+    CHECK(morph.interpolation == Interpolation::RigidLinear);
+    CHECK_FALSE(morph.options.lift);
+    CHECK(morph.options.openings == Openings::Fill);
+    CHECK(morph.options.seed == 77);
+
+    const auto plain = command_of<MorphArguments>({"morph", "a.obj", "b.ply"});
+    CHECK(plain.frames == 5);
+    CHECK(plain.options.alignment == Alignment::Registration);
+    CHECK(plain.interpolation == Interpolation::Slerp);
+    CHECK(plain.options.lift);
+
+    const auto figure = command_of<FigureArguments>(
+        {"figure", "x.yaml", "y.yaml", "--out", "d", "--spp", "3", "--scale", "0.5"});
+    CHECK(figure.configs == std::vector<fs::path>{"x.yaml", "y.yaml"});
+    CHECK(figure.out == fs::path("d"));
+    CHECK(figure.spp == 3);
+    CHECK(figure.scale == 0.5);
+
+    const auto star =
+        command_of<StarArguments>({"shape", "star", "s.ply", "--arms", "7", "--triangles", "100"});
+    CHECK(star.parameters.arms == 7);
+    CHECK(star.options.triangles == 100);
+    const auto round =
+        command_of<EllipsoidArguments>({"shape", "ellipsoid", "e.ply", "--semi-axes", "1", "2", "3"});
+    CHECK(round.semi_axes == std::vector<double>{1, 2, 3});
+
+    const auto all = std::get<Arguments>(read({"morph", "a", "b", "--threads", "2", "-q"}));
+    CHECK(all.threads == 2);
+    CHECK(all.quiet);
+}
+
+TEST_CASE("a wrong command line ends with status 1, help and version with 0") {
+    CHECK(status_of({}) == 1);
+    CHECK(status_of({"nonsense"}) == 1);
+    CHECK(status_of({"morph", "a.obj"}) == 1);
+    CHECK(status_of({"morph", "a", "b", "--frames", "1"}) == 1);
+    CHECK(status_of({"morph", "a", "b", "--alignment", "magic"}) == 1);
+    CHECK(status_of({"morph", "a", "b", "--unknown"}) == 1);
+    CHECK(status_of({"figure"}) == 1);
+    CHECK(status_of({"figure", "x.yaml", "--scale", "0"}) == 1);
+    CHECK(status_of({"shape", "star"}) == 1);
+    CHECK(status_of({"shape", "star", "x.ply", "--arms", "2"}) == 1);
+    CHECK(status_of({"--help"}) == 0);
+    CHECK(status_of({"morph", "--help"}) == 0);
+    CHECK(status_of({"--version"}) == 0);
+}
+
+TEST_CASE("what cannot be written is refused before the work, and nothing is left") {
+    const TemporaryFolder folder;
+    const Surroundings quiet{true, 0, {}};
+    write_mesh(folder / "a.off", ellipsoid({1, 1, 1}, {.triangles = 100}));
+    MorphArguments arguments;
+    arguments.source = arguments.target = folder / "a.off";
+    arguments.out = folder / "m_.png";
+    CHECK_THROWS_AS(run(arguments, quiet), IoError);
+    arguments.out = folder / "a.off/below/m_.ply";
+    CHECK_THROWS_AS(run(arguments, quiet), IoError);
+    StarArguments star{folder / "s.ply", {5, 1.0, 2.0, 0.3}, {}};
+    CHECK_THROWS_AS(run(star, quiet), ConfigError);
+    CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 1);
+}
+
+TEST_CASE("two configs that would write to one folder are refused") {
+    FigureArguments arguments;
+    arguments.configs = {fs::path(AUTOMORPH_CONFIGS) / "fig7.yaml",
+                         fs::path(AUTOMORPH_CONFIGS) / "fig7.yaml"};
+    CHECK_THROWS_AS(run(arguments, {true, 0, {}}), ConfigError);
+}

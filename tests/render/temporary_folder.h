@@ -1,0 +1,30 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+/// A new empty folder that is removed at the end of the scope.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        static int count = 0;
+        path_ = std::filesystem::temp_directory_path() /
+                ("automorph-test-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
+        std::filesystem::remove_all(path_);
+        std::filesystem::create_directories(path_);
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+private:
+    std::filesystem::path path_;
+};
