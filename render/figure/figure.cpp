@@ -166,7 +166,7 @@ render::Image figure_sheet(const FigureConfig& config, const Figure& figure) {
         for (const FigureCell& cell : row.cells) cells.back().push_back(cell.image);
     }
     for (const double alpha : config.alphas) text.columns.push_back("\u03b1 = " + fraction_text(alpha));
-    return make_sheet(cells, text);
+    return make_sheet(cells, text, {config.picture.margin, color(config.picture.background)});
 }
 
 std::string cell_name(std::size_t row, std::size_t column) {

@@ -34,10 +34,25 @@ int scaled(double factor, int size) {
     return static_cast<int>(std::lround(factor * size));
 }
 
-void paste(const Image& cell, Image& sheet, int x, int y) {
+/// 0 at the edge of a cell, 1 from `border` pixels on, smooth between.
+float fade_weight(int pixel, int size, double border) {
+    const double from_edge = std::min(pixel, size - 1 - pixel) + 0.5;
+    const double t = border > 0 ? std::clamp(from_edge / border, 0.0, 1.0) : 1.0;
+    return static_cast<float>(t * t * (3 - 2 * t));
+}
+
+void paste(const Image& cell, Image& sheet, int x, int y, const SheetFade& fade) {
     assert(cell.channels == 3);
     for (int row = 0; row < cell.height; ++row) {
-        std::copy_n(cell.at(0, row), static_cast<std::size_t>(cell.width) * 3, sheet.at(x, y + row));
+        const float row_weight = fade_weight(row, cell.height, fade.margin * cell.height / 2);
+        for (int column = 0; column < cell.width; ++column) {
+            const float weight = row_weight * fade_weight(column, cell.width, fade.margin * cell.width / 2);
+            for (int channel = 0; channel < 3; ++channel) {
+                const float color = cell.at(column, row)[channel];
+                sheet.at(x + column, y + row)[channel] =
+                    weight == 1.0f ? color : weight * color + (1.0f - weight) * fade.background[channel];
+            }
+        }
     }
 }
 
@@ -101,7 +116,7 @@ void draw_labels(Image& sheet, const Layout& layout, const SheetText& text,
 
 }  // namespace
 
-Image make_sheet(const std::vector<std::vector<Image>>& cells, const SheetText& text) {
+Image make_sheet(const std::vector<std::vector<Image>>& cells, const SheetText& text, const SheetFade& fade) {
     assert(!cells.empty() && !cells.front().empty());
     assert(text.rows.size() == cells.size() && text.columns.size() == cells.front().size());
     const int cell_width = cells.front().front().width;
@@ -116,7 +131,7 @@ Image make_sheet(const std::vector<std::vector<Image>>& cells, const SheetText& 
     for (std::size_t row = 0; row < cells.size(); ++row) {
         for (std::size_t column = 0; column < cells[row].size(); ++column) {
             paste(cells[row][column], sheet, layout.left + static_cast<int>(column) * layout.cell_width,
-                  layout.top + static_cast<int>(row) * layout.cell_height);
+                  layout.top + static_cast<int>(row) * layout.cell_height, fade);
         }
     }
     draw_labels(sheet, layout, text, row_lines);

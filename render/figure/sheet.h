@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "render/film/image.h"
+#include "render/math/vec.h"
 
 namespace automorph {
 
@@ -14,11 +16,19 @@ struct SheetText {
     std::vector<std::string> columns;  ///< above each column
 };
 
+/// How cells that show a shadow merge: towards its edge each cell fades to the background they share.
+struct SheetFade {
+    double margin =
+        0;  ///< the faded border on each side, as a fraction of half the cell; no shape reaches there
+    render::Color background{1.0f, 1.0f, 1.0f};  ///< linear
+};
+
 /// Lays the cells out on white paper, edge to edge, with a title and labels in proportion to the cells.
 /// @param cells  rows of equally many pictures of one size, three channels
 /// @throws IoError if the font is missing
 /// @pre   at least one cell; one label per row and column
-render::Image make_sheet(const std::vector<std::vector<render::Image>>& cells, const SheetText& text);
+render::Image make_sheet(const std::vector<std::vector<render::Image>>& cells, const SheetText& text,
+                         const SheetFade& fade = {});
 
 /// "0", "1/4", "2/3": the number as a fraction where a small one equals it to 1e-12, else a decimal.
 std::string fraction_text(double value);

@@ -162,6 +162,9 @@ int refuse(const CLI::App& app, const CLI::ParseError& error) {
     std::string command = "automorph";
     for (const CLI::App* sub : app.get_subcommands()) command += " " + sub->get_name();
     std::string message = error.what();
+    if (app.get_subcommands().empty() && app.remaining_size() > 0) {
+        message = fmt::format("there is no command '{}'", app.remaining().front());
+    }
     for (char& c : message) {
         if (c == '\n') c = ' ';
     }

@@ -82,6 +82,25 @@ TEST_CASE("a sheet has its title on top, row labels on the left and column label
     CHECK(bare.height < sheet.height);
 }
 
+TEST_CASE("cells fade to their background towards the edge and nowhere else") {
+    const Image sheet =
+        make_sheet(coloured_cells(), {"", {"", ""}, {"", "", ""}}, {0.25, {0.5f, 0.5f, 0.5f}});
+    const int left = 10, top = sheet.height - 10 - 2 * 80;
+    // A quarter of half the cell: 15 columns, 10 rows.
+    for (int y = 10; y < 70; ++y) {
+        for (int x = 15; x < 105; ++x) REQUIRE(is_color(sheet, left + x, top + y, 0.75f, 0.125f, 0.125f));
+    }
+    for (const int x : {0, 119}) CHECK(sheet.at(left + x, top + 40)[0] == Approx(0.5).margin(0.01));
+    for (const int y : {0, 79}) CHECK(sheet.at(left + 60, top + y)[0] == Approx(0.5).margin(0.01));
+    float previous = 0.5f;
+    for (int x = 0; x < 15; ++x) {
+        const float value = sheet.at(left + x, top + 40)[0];
+        CHECK(value > previous);
+        CHECK(sheet.at(left + 119 - x, top + 40)[0] == Approx(value));
+        previous = value;
+    }
+}
+
 TEST_CASE("numbers print as fractions where they are fractions") {
     CHECK(fraction_text(0) == "0");
     CHECK(fraction_text(1) == "1");

@@ -80,7 +80,7 @@ TEST_CASE(
     CHECK(info.out.find("can be morphed") != std::string::npos);
     CHECK(info.out.find("closed") != std::string::npos);
 
-    const Run morph = automorph(
+    const Run morph = run_program(
         folder, "morph a.off b.ply --frames 4 --out frames/m_.off --correspondence c.csv --report r.json");
     INFO(morph.err);
     REQUIRE(morph.status == 0);
@@ -112,9 +112,9 @@ TEST_CASE(
 TEST_CASE("results do not depend on the number of threads, and --quiet prints nothing") {
     const TemporaryFolder folder;
     make_shapes(folder);
-    const Run one = automorph(
+    const Run one = run_program(
         folder, "--quiet --threads 1 morph a.off b.ply --frames 2 --out one_.off --correspondence 1.csv");
-    const Run two = automorph(
+    const Run two = run_program(
         folder, "morph a.off b.ply --frames 2 --out two_.off --correspondence 2.csv -q --threads 2");
     REQUIRE(one.status == 0);
     REQUIRE(two.status == 0);
@@ -147,7 +147,7 @@ TEST_CASE("every error is one line on stderr and status 1, and leaves nothing be
     std::ofstream(folder / "bad.yaml") << "source: a.off\ntarget: b.ply\nrowz: []\n";
     std::ofstream(folder / "gone.yaml")
         << "source: gone.off\ntarget: b.ply\nrows: [{label: x}]\noutput: made\n";
-    std::ofstream(folder / "broken.off") << "OFF\n3 1 0\n0 0 0\n1 0 zero\n";
+    std::ofstream(folder / "broken.off") << "OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n";
     const std::set<std::string> before = names_in(folder.path());
     const auto check = [&](const std::string& arguments, const std::string& phrase) {
         const Run result = run_program(folder, arguments + " -q");
@@ -163,7 +163,7 @@ TEST_CASE("every error is one line on stderr and status 1, and leaves nothing be
         CHECK(after == before);
     };
     check("morph gone.off b.ply --out m_.ply", "gone.off");
-    check("morph a.off broken.off --out m_.ply", "broken.off:4");
+    check("morph a.off broken.off --out m_.ply", "broken.off:4: ");
     check("morph a.off b.ply --out m_.jpg", "m_.jpg");
     check("morph a.off b.ply --out a.off/m_.ply", "a.off: cannot be used as output folder");
     check("morph a.off b.ply --correspondence a.off/c.csv", "a.off");
@@ -176,6 +176,7 @@ TEST_CASE("every error is one line on stderr and status 1, and leaves nothing be
     check("figure no.yaml", "no.yaml");
     check("figure gone.yaml --out a.off/x", "a.off");
     check("info gone.off", "gone.off");
-    check("fly", "fly");
+    check("fly", "there is no command 'fly'");
+    check("", "subcommand");
     CHECK((!fs::exists(folder / "made") || fs::is_empty(folder / "made")));
 }
