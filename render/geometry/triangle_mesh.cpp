@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "morph/mesh/errors.h"
+#include "render/math/angle.h"
 
 namespace automorph::render {
 namespace {
@@ -42,7 +43,7 @@ std::vector<float> angle_weighted_normals(const Points& V, const std::vector<std
         if (!(length > 0.0) || !std::isfinite(length)) continue;
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3d a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
-            sums.row(indices[f + k]) += std::atan2(length, a.dot(b)) / length * area_normal;
+            sums.row(indices[f + k]) += angle_of(length, a.dot(b)) / length * area_normal;
         }
     }
     for (Eigen::Index i = 0; i < sums.rows(); ++i) {
@@ -50,11 +51,6 @@ std::vector<float> angle_weighted_normals(const Points& V, const std::vector<std
         if (length > 0.0) sums.row(i) /= length;
     }
     return to_floats(sums, 0);
-}
-
-Vec3 row(const std::vector<float>& values, std::uint32_t index) {
-    const float* p = &values[3 * static_cast<std::size_t>(index)];
-    return {p[0], p[1], p[2]};
 }
 
 }  // namespace
@@ -91,16 +87,6 @@ void TriangleMesh::move(const Points& V) {
     std::copy(moved.begin(), moved.end(), positions_.begin());
     ray_offset_ = kRayOffset * largest_coordinate(positions_);
     if (smooth_ && !given_normals_) normals_ = angle_weighted_normals(V, indices_);
-}
-
-std::array<Vec3, 3> TriangleMesh::corners(std::uint32_t triangle) const {
-    const std::uint32_t* i = &indices_[3 * static_cast<std::size_t>(triangle)];
-    return {row(positions_, i[0]), row(positions_, i[1]), row(positions_, i[2])};
-}
-
-std::array<Vec3, 3> TriangleMesh::corner_normals(std::uint32_t triangle) const {
-    const std::uint32_t* i = &indices_[3 * static_cast<std::size_t>(triangle)];
-    return {row(normals_, i[0]), row(normals_, i[1]), row(normals_, i[2])};
 }
 
 }  // namespace automorph::render
