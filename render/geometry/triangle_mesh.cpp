@@ -31,19 +31,15 @@ float largest_coordinate(const std::vector<float>& positions) {
     return largest;
 }
 
-// Unit vertex normals, each triangle weighted by its angle at the vertex (Thuermer and Wuethrich 1998), which
-// makes them independent of how flat parts are triangulated. Vertices without one get the zero vector.
-std::vector<float> angle_weighted_normals(const Points& V, const std::vector<std::uint32_t>& indices) {
+// Unit vertex normals, each triangle weighted by its area: the needles of merged meshes, whose own normals are
+// rounding, do not count. Vertices without one get the zero vector.
+std::vector<float> area_weighted_normals(const Points& V, const std::vector<std::uint32_t>& indices) {
     Points sums = Points::Zero(V.rows(), 3);
     for (std::size_t f = 0; f + 2 < indices.size(); f += 3) {
         const std::array<Vec3d, 3> p{V.row(indices[f]), V.row(indices[f + 1]), V.row(indices[f + 2])};
         const Vec3d area_normal = cross(Vec3d(p[1] - p[0]), Vec3d(p[2] - p[0]));
-        const double length = area_normal.norm();
-        if (!(length > 0.0) || !std::isfinite(length)) continue;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3d a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
-            sums.row(indices[f + k]) += std::atan2(length, a.dot(b)) / length * area_normal;
-        }
+        if (!area_normal.allFinite()) continue;
+        for (std::size_t k = 0; k < 3; ++k) sums.row(indices[f + k]) += area_normal;
     }
     for (Eigen::Index i = 0; i < sums.rows(); ++i) {
         const double length = sums.row(i).norm();
@@ -90,7 +86,7 @@ void TriangleMesh::move(const Points& V) {
     const std::vector<float> moved = to_floats(V, kPadding);
     std::copy(moved.begin(), moved.end(), positions_.begin());
     ray_offset_ = kRayOffset * largest_coordinate(positions_);
-    if (smooth_ && !given_normals_) normals_ = angle_weighted_normals(V, indices_);
+    if (smooth_ && !given_normals_) normals_ = area_weighted_normals(V, indices_);
 }
 
 std::array<Vec3, 3> TriangleMesh::corners(std::uint32_t triangle) const {

@@ -10,7 +10,7 @@ namespace {
 
 // Lengths in radii of the bounds.
 constexpr double kKeyDistance = 4.0;
-constexpr double kKeySide = 2.2;      // a large light: shadows with soft edges
+constexpr double kKeySide = 2.8;      // a large light: shadows with soft edges
 constexpr double kGroundSide = 60.0;  // beyond, the background is the same
 constexpr double kGroundGap = 1e-3;   // under the lowest point
 
@@ -43,7 +43,7 @@ void add_studio(Scene& scene, const Camera& camera, const Bounds& bounds, const 
     const Eigen::Vector3d right = cross(forward, up).normalized();
     const Eigen::Vector3d level = cross(up, right);  // the view without its slope
 
-    const Eigen::Vector3d to_key = (-0.6 * level - 0.75 * right + 0.8 * up).normalized();
+    const Eigen::Vector3d to_key = (-0.6 * level - 0.5 * right + 1.05 * up).normalized();
     const Eigen::Vector3d key = bounds.center() + kKeyDistance * radius * to_key;
     const auto distance = static_cast<float>(kKeyDistance * radius),
                side = static_cast<float>(kKeySide * radius);

@@ -1,5 +1,6 @@
 #include "exact_overlay.h"
 
+#include <CGAL/Exact_integer.h>
 #include <CGAL/Exact_rational.h>
 
 #include <Eigen/Geometry>
@@ -14,43 +15,80 @@ namespace automorph::testing {
 
 namespace {
 
-using Rational = CGAL::Exact_rational;
-using ExactRay = std::array<Rational, 3>;
+// Rays are scaled by one power of two to integers: directions and barycentric coordinates do not change.
+using Integer = CGAL::Exact_integer;
+using ExactRay = std::array<Integer, 3>;
 using Corners = std::vector<int>;           ///< sorted mesh vertices: 1 vertex, 2 edge, 3 triangle
 using Place = std::pair<Corners, Corners>;  ///< on a, on b
 using FacePair = std::pair<int, int>;
 
-/// One ray per direction: the first coordinate that is not zero becomes +-1.
-ExactRay normalised(ExactRay r) {
-    for (const Rational& lead : r) {
-        if (lead == 0) continue;
-        const Rational scale = lead < 0 ? Rational(-lead) : lead;
-        return {r[0] / scale, r[1] / scale, r[2] / scale};
-    }
-    throw std::logic_error("a zero ray");
+/// One ray per direction: coordinates without a common divisor.
+ExactRay normalised(const ExactRay& r) {
+    const Integer divisor = CGAL::abs(CGAL::gcd(CGAL::gcd(r[0], r[1]), r[2]));
+    if (divisor == 0) throw std::logic_error("a zero ray");
+    return {CGAL::integral_division(r[0], divisor), CGAL::integral_division(r[1], divisor),
+            CGAL::integral_division(r[2], divisor)};
 }
 
-Rational det(const ExactRay& a, const ExactRay& b, const ExactRay& c) {
+Integer det(const ExactRay& a, const ExactRay& b, const ExactRay& c) {
     return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
            a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-std::vector<ExactRay> exact_rays(const Points& rays) {
+/// x = mantissa 2^exponent with an odd mantissa; 0 = 0 * 2^0.
+struct Binary {
+    long long mantissa;
+    int exponent;
+};
+
+Binary binary(double x) {
+    if (x == 0) return {0, 0};
+    int exponent = 0;
+    auto mantissa = static_cast<long long>(std::ldexp(std::frexp(x, &exponent), 53));
+    exponent -= 53;
+    for (; mantissa % 2 == 0; ++exponent) mantissa /= 2;
+    return {mantissa, exponent};
+}
+
+int least_exponent(const Points& rays) {
+    int least = 0;
+    for (int k = 0; k < rays.size(); ++k) least = std::min(least, binary(rays.data()[k]).exponent);
+    return least;
+}
+
+Integer power_of_two(int exponent) {
+    Integer power(1);
+    for (; exponent >= 16; exponent -= 16) power *= Integer(1 << 16);
+    return power * Integer(1 << exponent);
+}
+
+/// The rays times 2^-least_exponent.
+std::vector<ExactRay> exact_rays(const Points& rays, int least_exponent) {
     std::vector<ExactRay> exact;
-    for (int v = 0; v < rays.rows(); ++v)
-        exact.push_back({Rational(rays(v, 0)), Rational(rays(v, 1)), Rational(rays(v, 2))});
+    for (int v = 0; v < rays.rows(); ++v) {
+        ExactRay ray;
+        for (int k = 0; k < 3; ++k) {
+            const Binary x = binary(rays(v, k));
+            const Integer high(static_cast<int>(x.mantissa / (1 << 27))),
+                low(static_cast<int>(x.mantissa % (1 << 27)));
+            ray[k] = (high * Integer(1 << 27) + low) * power_of_two(x.exponent - least_exponent);
+        }
+        exact.push_back(ray);
+    }
     return exact;
 }
 
 /// The part of the cone `polygon` on the left of the plane through p and q.
 std::vector<ExactRay> clipped(const std::vector<ExactRay>& polygon, const ExactRay& p, const ExactRay& q) {
+    std::vector<Integer> side;
+    for (const ExactRay& x : polygon) side.push_back(det(p, q, x));
     std::vector<ExactRay> kept;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const ExactRay &x = polygon[k], &y = polygon[(k + 1) % polygon.size()];
-        const Rational sx = det(p, q, x), sy = det(p, q, y);
-        if (sx >= 0) kept.push_back(x);
-        if ((sx > 0 && sy < 0) || (sx < 0 && sy > 0)) {
-            const Rational wx = sy < 0 ? Rational(-sy) : sy, wy = sx < 0 ? Rational(-sx) : sx;
+        const std::size_t next = (k + 1) % polygon.size();
+        const ExactRay &x = polygon[k], &y = polygon[next];
+        if (side[k] >= 0) kept.push_back(x);
+        if ((side[k] > 0 && side[next] < 0) || (side[k] < 0 && side[next] > 0)) {
+            const Integer wx = CGAL::abs(side[next]), wy = CGAL::abs(side[k]);
             kept.push_back(normalised({wx * x[0] + wy * y[0], wx * x[1] + wy * y[1], wx * x[2] + wy * y[2]}));
         }
     }
@@ -70,7 +108,7 @@ int sign(const Map& x, int a, int b, const Map& y, int c) {
     const Ray p = x.map.rays.row(a), q = x.map.rays.row(b), r = y.map.rays.row(c);
     const double value = p.cross(q).dot(r);
     if (std::abs(value) > 1e-12 * p.lpNorm<1>() * q.lpNorm<1>() * r.lpNorm<1>()) return value > 0 ? 1 : -1;
-    const Rational exact = det(x.rays[a], x.rays[b], y.rays[c]);
+    const Integer exact = det(x.rays[a], x.rays[b], y.rays[c]);
     return exact > 0 ? 1 : exact < 0 ? -1 : 0;
 }
 
@@ -85,21 +123,29 @@ bool separated(const Map& x, int fx, const Map& y, int fy) {
     return false;
 }
 
-/// Barycentric coordinates in the flat triangle of the rays, as a Site. @pre x lies in the closed cone
+/// The corners whose barycentric coordinate is not zero, sorted. @pre x lies in the closed cone
+Corners corners(const Map& map, int f, const ExactRay& x) {
+    const auto r = map.corners(f);
+    Corners result;
+    for (int k = 0; k < 3; ++k) {
+        const Integer weight = det(x, r[(k + 1) % 3], r[(k + 2) % 3]);
+        if (weight < 0) throw std::logic_error("a clipped corner lies outside its triangle");
+        if (weight > 0) result.push_back(map.map.mesh.F(f, k));
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+/// Barycentric coordinates in the flat triangle of the rays, rounded. @pre x lies in the closed cone
 Site site(const Map& map, int f, const ExactRay& x) {
     const auto r = map.corners(f);
-    const std::array<Rational, 3> w = {det(x, r[1], r[2]), det(x, r[2], r[0]), det(x, r[0], r[1])};
-    const Rational sum = w[0] + w[1] + w[2];
+    const std::array<Integer, 3> w = {det(x, r[1], r[2]), det(x, r[2], r[0]), det(x, r[0], r[1])};
+    const Integer sum = w[0] + w[1] + w[2];
     Site site;
-    std::array<std::pair<int, Rational>, 3> order = {std::pair(map.map.mesh.F(f, 0), w[0]),
-                                                     std::pair(map.map.mesh.F(f, 1), w[1]),
-                                                     std::pair(map.map.mesh.F(f, 2), w[2])};
-    std::sort(order.begin(), order.end());
-    for (const auto& [vertex, weight] : order) {
-        if (weight < 0) throw std::logic_error("a clipped corner lies outside its triangle");
-        if (weight == 0) continue;
-        site.corners[site.count] = vertex;
-        site.weights[site.count++] = CGAL::to_double(Rational(weight / sum));
+    for (int k = 0; k < 3; ++k) {
+        if (w[k] == 0) continue;
+        site.corners[site.count] = map.map.mesh.F(f, k);
+        site.weights[site.count++] = CGAL::to_double(CGAL::Exact_rational(w[k], sum));
     }
     return site;
 }
@@ -120,29 +166,32 @@ struct Vertices {
     std::map<ExactRay, int> by_direction;
     std::map<Place, int> by_place;
 
-    int add(const ExactRay& x, const Site& on_a, const Site& on_b) {
+    int add(const ExactRay& x, const Map& a, int fa, const Map& b, int fb) {
         const auto [at, fresh] = by_direction.try_emplace(x, overlay.vertex_count());
         const auto [same, fresh_place] =
-            by_place.try_emplace(Place(corners(on_a), corners(on_b)), at->second);
+            by_place.try_emplace(Place(corners(a, fa, x), corners(b, fb, x)), at->second);
         if (fresh != fresh_place || same->second != at->second)
             throw std::logic_error("a direction with two places in the meshes: a map is not one-to-one");
-        if (fresh) {
-            overlay.on_a.push_back(on_a);
-            overlay.on_b.push_back(on_b);
-            if (on_a.count == 1) overlay.vertex_of_a[on_a.corners[0]] = at->second;
-            if (on_b.count == 1) overlay.vertex_of_b[on_b.corners[0]] = at->second;
-            overlay.crossings += on_a.count == 2 && on_b.count == 2;
-            overlay.coincident += on_a.count == 1 && on_b.count == 1;
-            overlay.on_edges += on_a.count + on_b.count == 3;
-        }
+        if (fresh) add_site(at->second, site(a, fa, x), site(b, fb, x));
         return at->second;
+    }
+
+    void add_site(int vertex, const Site& on_a, const Site& on_b) {
+        overlay.on_a.push_back(on_a);
+        overlay.on_b.push_back(on_b);
+        if (on_a.count == 1) overlay.vertex_of_a[on_a.corners[0]] = vertex;
+        if (on_b.count == 1) overlay.vertex_of_b[on_b.corners[0]] = vertex;
+        overlay.crossings += on_a.count == 2 && on_b.count == 2;
+        overlay.coincident += on_a.count == 1 && on_b.count == 1;
+        overlay.on_edges += on_a.count + on_b.count == 3;
     }
 };
 
 }  // namespace
 
 Overlay exact_overlay(const TestMap& a, const TestMap& b) {
-    const Map map_a{a, exact_rays(a.rays)}, map_b{b, exact_rays(b.rays)};
+    const int exponent = std::min(least_exponent(a.rays), least_exponent(b.rays));
+    const Map map_a{a, exact_rays(a.rays, exponent)}, map_b{b, exact_rays(b.rays, exponent)};
     Overlay overlay;
     overlay.vertex_of_a.assign(a.rays.rows(), -1);
     overlay.vertex_of_b.assign(b.rays.rows(), -1);
@@ -157,7 +206,7 @@ Overlay exact_overlay(const TestMap& a, const TestMap& b) {
             for (int k = 0; k < 3; ++k) polygon = clipped(polygon, of_b[k], of_b[(k + 1) % 3]);
             if (polygon.size() < 3) continue;
             for (const ExactRay& x : polygon)
-                overlay.polygon_vertices.push_back(vertices.add(x, site(map_a, fa, x), site(map_b, fb, x)));
+                overlay.polygon_vertices.push_back(vertices.add(x, map_a, fa, map_b, fb));
             overlay.polygon_start.push_back(static_cast<int>(overlay.polygon_vertices.size()));
             overlay.face_of_a.push_back(fa);
             overlay.face_of_b.push_back(fb);

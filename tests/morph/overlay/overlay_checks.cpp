@@ -42,14 +42,15 @@ int turn(const ExactRay& a, const ExactRay& b, const ExactRay& c) {
     return sign(dot(cross(a, b), c));
 }
 
-Ray rounded(const ExactRay& r) {
-    return {CGAL::to_double(r[0]), CGAL::to_double(r[1]), CGAL::to_double(r[2])};
+/// True if x, on the great circle (line) through p and q, lies strictly between them.
+bool between(const ExactRay& x, const ExactRay& p, const ExactRay& q) {
+    const ExactRay n = cross(p, q);
+    return sign(dot(cross(p, x), n)) > 0 && sign(dot(cross(x, q), n)) > 0;
 }
 
 /// True if x lies strictly inside the arc (segment) from p to q.
 bool inside_edge(const ExactRay& x, const ExactRay& p, const ExactRay& q) {
-    const ExactRay n = cross(p, q);
-    return sign(dot(n, x)) == 0 && sign(dot(cross(p, x), n)) > 0 && sign(dot(cross(x, q), n)) > 0;
+    return turn(p, q, x) == 0 && between(x, p, q);
 }
 
 /// One of the two meshes, with what the checks look up.
@@ -107,8 +108,8 @@ public:
             check_counts();
             if (check_faces()) {
                 check_topology();
-                check_areas(a_, overlay_.face_of_a);
-                check_areas(b_, overlay_.face_of_b);
+                check_areas(a_, overlay_.on_a, overlay_.face_of_a);
+                check_areas(b_, overlay_.on_b, overlay_.face_of_b);
                 check_paths(a_, overlay_.on_a);
                 check_paths(b_, overlay_.on_b);
             }
@@ -176,7 +177,7 @@ private:
         if (a.count != 2 || b.count != 2) return false;
         x = cross(cross(ra(0), ra(1)), cross(rb(0), rb(1)));
         if (sign(dot(cross(ra(0), x), cross(ra(0), ra(1)))) < 0) x = {-x[0], -x[1], -x[2]};
-        return inside_edge(x, ra(0), ra(1)) && inside_edge(x, rb(0), rb(1));
+        return between(x, ra(0), ra(1)) && between(x, rb(0), rb(1));  // it is on both circles by construction
     }
 
     static bool inside(const ExactRay& x, const Map& map, const Site& site) {
@@ -336,13 +337,13 @@ private:
         return sum;
     }
 
-    void check_areas(const Map& map, const std::vector<int>& face_of) {
+    void check_areas(const Map& map, const std::vector<Site>& sites, const std::vector<int>& face_of) {
         std::vector<double> pieces(static_cast<std::size_t>(map.map.mesh.triangle_count()), 0.0);
         double total = 0, domain = 0;
         for (int f = 0; f < overlay_.face_count(); ++f) {
             std::vector<Ray> polygon;
             for (int k = overlay_.polygon_start[f]; k < overlay_.polygon_start[f + 1]; ++k)
-                polygon.push_back(rounded(exact_[overlay_.polygon_vertices[k]]));
+                polygon.push_back(map.place(sites[overlay_.polygon_vertices[k]]));
             const double piece = area(polygon);
             pieces[face_of[f]] += piece;
             total += piece;

@@ -1,7 +1,9 @@
 #include "morph/overlay/overlay.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <utility>
 
 #include "exact_overlay.h"
 #include "morph/mesh/errors.h"
@@ -18,15 +20,20 @@ Overlay overlaid(const TestMap& a, const TestMap& b) {
     return overlay(a.mesh, a.rays, b.mesh, b.rays);
 }
 
+/// The same overlay with the roles of a and b exchanged.
+Overlay exchanged(Overlay overlay) {
+    std::swap(overlay.on_a, overlay.on_b);
+    std::swap(overlay.vertex_of_a, overlay.vertex_of_b);
+    std::swap(overlay.face_of_a, overlay.face_of_b);
+    return overlay;
+}
+
 /// The overlay has all invariants and equals the rational one, either way round.
 void check_pair(const TestMap& a, const TestMap& b) {
-    const Overlay found = overlaid(a, b);
+    const Overlay found = overlaid(a, b), expected = exact_overlay(a, b);
     CHECK(violations(found, a, b) == "");
-    CHECK(difference(found, exact_overlay(a, b)) == "");
-    const Overlay reversed = overlaid(b, a);
-    CHECK(violations(reversed, b, a) == "");
-    CHECK(reversed.vertex_count() == found.vertex_count());
-    CHECK(reversed.face_count() == found.face_count());
+    CHECK(difference(found, expected) == "");
+    CHECK(difference(exchanged(overlaid(b, a)), expected) == "");
 }
 
 /// Two maps over one polygon, each with its own inner vertices and triangulation.
@@ -76,7 +83,7 @@ double cpu_seconds() {
 
 TEST_CASE("random disk maps overlay as they do in rational arithmetic") {
     Random random(1);
-    for (int trial = 0; trial < 150; ++trial) {
+    for (int trial = 0; trial < 100; ++trial) {
         INFO("trial " << trial);
         const auto border = circle(3 + random.below(12), 0.1);
         const auto inner_a = random_disk_points(random.below(25), random);
@@ -89,7 +96,7 @@ TEST_CASE("random disk maps overlay as they do in rational arithmetic") {
 
 TEST_CASE("maps without inner vertices, chords only, overlay as they do in rational arithmetic") {
     Random random(2);
-    for (int trial = 0; trial < 60; ++trial) {
+    for (int trial = 0; trial < 50; ++trial) {
         INFO("trial " << trial);
         const auto [a, b] = disk_pair(circle(3 + random.below(18)), {}, {}, random);
         check_pair(a, b);
@@ -100,7 +107,7 @@ TEST_CASE("maps on a common lattice, with vertices, edges and crossings in commo
     Random random(3);
     // 0.1 is no double: its lattice is collinear but for rounding.
     const double unit = GENERATE(1.0, 0.1);
-    for (int trial = 0; trial < 120; ++trial) {
+    for (int trial = 0; trial < 100; ++trial) {
         INFO("unit " << unit << " trial " << trial);
         const int size = 2 + random.below(4);
         const auto inner_a = random_lattice_points(random.below(30), size, unit, random);
@@ -112,7 +119,7 @@ TEST_CASE("maps on a common lattice, with vertices, edges and crossings in commo
 
 TEST_CASE("maps whose vertices are a unit in the last place apart overlay exactly") {
     Random random(4);
-    for (int trial = 0; trial < 80; ++trial) {
+    for (int trial = 0; trial < 40; ++trial) {
         INFO("trial " << trial);
         const int size = 2 + random.below(4);
         const auto inner = random_lattice_points(20, size, 0.1, random);
@@ -144,7 +151,7 @@ TEST_CASE("a map over itself is itself, however it is numbered") {
 
 TEST_CASE("maps with the same vertices or some of them in common overlay exactly") {
     Random random(6);
-    for (int trial = 0; trial < 60; ++trial) {
+    for (int trial = 0; trial < 40; ++trial) {
         INFO("trial " << trial);
         const auto inner = random_disk_points(25, random);
         const auto inner_b = trial % 2 == 0 ? inner : some_of(inner, random);
@@ -157,7 +164,7 @@ TEST_CASE("maps with the same vertices or some of them in common overlay exactly
 
 TEST_CASE("random maps of the sphere overlay as they do in rational arithmetic") {
     Random random(7);
-    for (int trial = 0; trial < 100; ++trial) {
+    for (int trial = 0; trial < 80; ++trial) {
         INFO("trial " << trial);
         const TestMap a =
             random_map(tetrahedron_builder(random), random_directions(random.below(25), random), 40, random);
@@ -169,7 +176,7 @@ TEST_CASE("random maps of the sphere overlay as they do in rational arithmetic")
 
 TEST_CASE("maps of the sphere by integer directions, with edges on common great circles, overlay exactly") {
     Random random(8);
-    for (int trial = 0; trial < 150; ++trial) {
+    for (int trial = 0; trial < 100; ++trial) {
         INFO("trial " << trial);
         const int size = 1 + random.below(3);
         const auto points_a = random_integer_directions(random.below(30), size, random);
@@ -181,7 +188,7 @@ TEST_CASE("maps of the sphere by integer directions, with edges on common great 
 
 TEST_CASE("only the direction of a ray counts") {
     Random random(9);
-    for (int trial = 0; trial < 60; ++trial) {
+    for (int trial = 0; trial < 40; ++trial) {
         INFO("trial " << trial);
         const auto inner = random_lattice_points(15, 4, 1.0, random);
         const auto [a, b] = disk_pair(lattice_square(4), inner, some_of(inner, random), random);
@@ -192,7 +199,7 @@ TEST_CASE("only the direction of a ray counts") {
 TEST_CASE("a map over itself turned by next to nothing keeps its invariants") {
     Random random(10);
     const int border = 12;
-    const TestMap map = delaunay_map(polygon_builder(circle(border), random), random_disk_points(60, random));
+    const TestMap map = delaunay_map(polygon_builder(circle(border), random), random_disk_points(40, random));
     for (const double angle : {1e-3, 1e-6, 1e-9, 1e-12, 1e-13, 1e-14, 1e-15, 2e-16}) {
         INFO("angle " << angle);
         check_pair(map, turned(map, border, angle));

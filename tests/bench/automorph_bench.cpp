@@ -1,0 +1,27 @@
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "overlay_bench.h"
+
+namespace {
+
+constexpr const char* kHelp =
+    "automorph_bench overlay [A.off B.off]...   the overlay of disk maps beside CGAL's Arrangement_2;\n"
+    "                                           without files: pairs of the example meshes in build/meshes\n";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    try {
+        if (!arguments.empty() && arguments[0] == "overlay")
+            return automorph::bench::overlay_bench({arguments.begin() + 1, arguments.end()});
+        std::fputs(kHelp, arguments.empty() || arguments[0] == "help" ? stdout : stderr);
+        return arguments.empty() || arguments[0] == "help" ? 0 : 2;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "automorph_bench: %s\n", error.what());
+        return 1;
+    }
+}
