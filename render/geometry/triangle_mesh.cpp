@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "morph/mesh/errors.h"
-#include "render/math/angle.h"
 
 namespace automorph::render {
 namespace {
