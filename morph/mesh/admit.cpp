@@ -153,7 +153,7 @@ void refuse_genus(const MeshInspection& found, const std::string& name) {
         "{}: the surface has genus {} ({}): {} vertices, {} triangles, Euler characteristic {}, {} boundary "
         "loops; a "
         "morph needs genus 0: cut or fill the {}",
-        name, found.genus, found.genus == 1 ? "one handle, like a torus" : "handles, like a pretzel",
+        name, found.genus, found.genus == 1 ? "one handle, like a torus" : "that many handles",
         found.vertices, found.triangles, found.euler_characteristic, found.boundary_loops,
         found.genus == 1 ? "handle" : "handles"));
 }

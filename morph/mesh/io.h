@@ -28,7 +28,8 @@ PolygonSoup parse_mesh(std::string_view bytes, const std::string& name);
 /// Writes by extension: .off, .obj, .ply (binary little endian, double), .stl (binary, single precision).
 /// All but STL read back to the same doubles. The file is written aside and renamed, so that a reader never
 /// sees half of it; on failure nothing is left behind and an existing file stays as it was.
-/// @throws IoError if the extension is unknown, a coordinate is not finite, or the file cannot be written
+/// @throws IoError if the extension is unknown, a coordinate is beyond what read_mesh accepts, or the file
+/// cannot be written
 void write_mesh(const std::filesystem::path& file, const Mesh& mesh);
 
 /// A triangle mesh as a soup, e.g. to admit() a mesh made in memory.

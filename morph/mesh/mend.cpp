@@ -210,6 +210,7 @@ void drop_degenerate_and_duplicate_triangles(Draft& draft) {
 }
 
 void drop_strays(Draft& draft) {
+    if (edge_components(draft.F, edge_table(draft.F)).count < 2) return;
     drop_loose_components(draft);
     drop_attached_patches(draft);
 }

@@ -10,42 +10,28 @@ namespace automorph {
 
 namespace {
 
-enum class Format { Unknown, Off, Obj, Ply, Stl };
-
-constexpr const char* kKnown = "known are .off, .obj, .ply and .stl";
-
-Format format_of_name(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    if (extension == ".off") return Format::Off;
-    if (extension == ".obj") return Format::Obj;
-    if (extension == ".ply") return Format::Ply;
-    if (extension == ".stl") return Format::Stl;
-    return Format::Unknown;
-}
-
-const char* name_of(Format format) {
+const char* name_of(MeshFormat format) {
     switch (format) {
-        case Format::Off:
+        case MeshFormat::Off:
             return "OFF";
-        case Format::Obj:
+        case MeshFormat::Obj:
             return "OBJ";
-        case Format::Ply:
+        case MeshFormat::Ply:
             return "PLY";
-        case Format::Stl:
+        case MeshFormat::Stl:
             return "STL";
-        case Format::Unknown:
+        case MeshFormat::Unknown:
             break;
     }
     return "unknown";
 }
 
 /// What the content says it is; OBJ has no signature.
-Format format_of_content(std::string_view bytes) {
-    if (looks_like_ply(bytes)) return Format::Ply;
-    if (looks_like_off(bytes)) return Format::Off;
-    if (looks_like_binary_stl(bytes) || looks_like_ascii_stl(bytes)) return Format::Stl;
-    return Format::Unknown;
+MeshFormat format_of_content(std::string_view bytes) {
+    if (looks_like_ply(bytes)) return MeshFormat::Ply;
+    if (looks_like_off(bytes)) return MeshFormat::Off;
+    if (looks_like_binary_stl(bytes) || looks_like_ascii_stl(bytes)) return MeshFormat::Stl;
+    return MeshFormat::Unknown;
 }
 
 std::string printable(std::string name) {
@@ -88,18 +74,28 @@ PolygonSoup SoupBuilder::finish() {
     return soup;
 }
 
+MeshFormat format_of_name(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    if (extension == ".off") return MeshFormat::Off;
+    if (extension == ".obj") return MeshFormat::Obj;
+    if (extension == ".ply") return MeshFormat::Ply;
+    if (extension == ".stl") return MeshFormat::Stl;
+    return MeshFormat::Unknown;
+}
+
 bool is_mesh_file(const std::filesystem::path& file) {
-    return format_of_name(file) != Format::Unknown;
+    return format_of_name(file) != MeshFormat::Unknown;
 }
 
 PolygonSoup parse_mesh(std::string_view bytes, const std::string& name) {
     const FileBytes file{bytes, printable(name)};
-    const Format format = format_of_name(name), content = format_of_content(bytes);
-    if (format == Format::Unknown) {
-        throw IoError(fmt::format("{}: not a known kind of mesh file; {}", file.name, kKnown));
+    const MeshFormat format = format_of_name(name), content = format_of_content(bytes);
+    if (format == MeshFormat::Unknown) {
+        throw IoError(fmt::format("{}: not a known kind of mesh file; {}", file.name, kKnownFormats));
     }
     if (bytes.empty()) throw IoError(fmt::format("{}:1: the file is empty", file.name));
-    if (content != Format::Unknown && content != format) {
+    if (content != MeshFormat::Unknown && content != format) {
         throw IoError(fmt::format("{}:1: the name says {}, the content is {}; rename the file", file.name,
                                   name_of(format), name_of(content)));
     }
@@ -108,11 +104,11 @@ PolygonSoup parse_mesh(std::string_view bytes, const std::string& name) {
     }
     try {
         switch (format) {
-            case Format::Off:
+            case MeshFormat::Off:
                 return read_off(file);
-            case Format::Obj:
+            case MeshFormat::Obj:
                 return read_obj(file);
-            case Format::Ply:
+            case MeshFormat::Ply:
                 return read_ply(file);
             default:
                 return read_stl(file);
@@ -125,7 +121,7 @@ PolygonSoup parse_mesh(std::string_view bytes, const std::string& name) {
 PolygonSoup read_mesh(const std::filesystem::path& file) {
     const std::string name = printable(file.string());
     if (!is_mesh_file(file))
-        throw IoError(fmt::format("{}: not a known kind of mesh file; {}", name, kKnown));
+        throw IoError(fmt::format("{}: not a known kind of mesh file; {}", name, kKnownFormats));
     return parse_mesh(read_bytes(file, name), name);
 }
 

@@ -9,6 +9,14 @@
 
 namespace automorph {
 
+enum class MeshFormat { Unknown, Off, Obj, Ply, Stl };
+
+/// The format that a file's extension names, in any case.
+MeshFormat format_of_name(const std::filesystem::path& file);
+
+/// What errors say about other extensions.
+inline constexpr const char* kKnownFormats = "known are .off, .obj, .ply and .stl";
+
 // One reader per format. Each throws IoError with the place in the file, and allocates no more than a small
 // multiple of the file's size, whatever counts the file announces.
 PolygonSoup read_off(const FileBytes& file);

@@ -13,7 +13,7 @@
 #include <limits>
 
 #include "morph/mesh/errors.h"
-#include "morph/mesh/io.h"
+#include "morph/mesh/readers.h"
 
 namespace automorph {
 
@@ -114,20 +114,17 @@ void write_bytes(const std::filesystem::path& file, const fmt::memory_buffer& by
 
 void write_mesh(const std::filesystem::path& file, const Mesh& mesh) {
     assert(mesh.F.size() == 0 || (mesh.F.minCoeff() >= 0 && mesh.F.maxCoeff() < mesh.vertex_count()));
-    std::string extension = file.extension().string();
-    for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    fmt::memory_buffer out;
-    if (!is_mesh_file(file)) {
-        throw IoError(fmt::format("{}: not a known kind of mesh file; known are .off, .obj, .ply and .stl",
-                                  file.string()));
+    const MeshFormat format = format_of_name(file);
+    if (format == MeshFormat::Unknown) {
+        throw IoError(fmt::format("{}: not a known kind of mesh file; {}", file.string(), kKnownFormats));
     }
-    check_coordinates(
-        file.string(), mesh,
-        extension == ".stl" ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max());
-    if (extension == ".off") append_off(mesh, out);
-    if (extension == ".obj") append_obj(mesh, out);
-    if (extension == ".ply") append_ply(mesh, out);
-    if (extension == ".stl") append_stl(mesh, out);
+    check_coordinates(file.string(), mesh,
+                      format == MeshFormat::Stl ? std::numeric_limits<float>::max() : kLargestCoordinate);
+    fmt::memory_buffer out;
+    if (format == MeshFormat::Off) append_off(mesh, out);
+    if (format == MeshFormat::Obj) append_obj(mesh, out);
+    if (format == MeshFormat::Ply) append_ply(mesh, out);
+    if (format == MeshFormat::Stl) append_stl(mesh, out);
     write_bytes(file, out);
 }
 
