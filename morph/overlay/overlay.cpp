@@ -174,8 +174,9 @@ private:
         const HalfedgeHandle h(2 * edge);
         const int v0 = map.topology.from_vertex_handle(h).idx(), v1 = map.topology.to_vertex_handle(h).idx();
         const double s0 = determinant(p, q, map.ray(v0)), s1 = determinant(p, q, map.ray(v1));
-        const double t = s0 / (s0 - s1);
-        return {{v0, v1, -1}, {1.0 - t, t, 0.0}, 2};
+        return {{v0, v1, -1},
+                {s1 / (s1 - s0), s0 / (s0 - s1), 0.0},
+                2};  // 1 - t would lose the digits of a small weight
     }
 
     void add_crossing_sites(int ea, int eb) {
@@ -225,7 +226,7 @@ private:
         const int left = left_face(a_.topology, h), right = left_face(a_.topology, h ^ 1);
         const int head = a_.topology.to_vertex_handle(HalfedgeHandle(h)).idx();
         int x = a_.topology.from_vertex_handle(HalfedgeHandle(h)).idx();
-        double t = 0.0;
+        Progress progress;
         for (int i = trace.begin; i < trace.end; ++i) {
             const Stretch& stretch = in_b_.stretches[at(i)];
             int y = head;
@@ -236,7 +237,7 @@ private:
             const int c = stretch.carrier;
             add_sides(left, right, stretch.along ? left_face(b_.topology, c) : c,
                       stretch.along ? left_face(b_.topology, c ^ 1) : c, x, y);
-            t = keep_order(result_.on_a[at(y)], head, t);
+            progress = keep_order(result_.on_a[at(y)], head, progress);
             x = y;
         }
     }
@@ -248,7 +249,7 @@ private:
         const int left = left_face(b_.topology, h), right = left_face(b_.topology, h ^ 1);
         const int head = b_.topology.to_vertex_handle(HalfedgeHandle(h)).idx();
         int x = result_.vertex_of_b[at(b_.topology.from_vertex_handle(HalfedgeHandle(h)).idx())];
-        double t = 0.0;
+        Progress progress;
         for (int i = trace.begin; i < trace.end; ++i) {
             const Stretch& stretch = in_a_.stretches[at(i)];
             int y = result_.vertex_of_b[at(head)];
@@ -258,21 +259,29 @@ private:
             }
             const int c = stretch.carrier;
             if (!stretch.along) add_sides(c, c, left, right, x, y);
-            t = keep_order(result_.on_b[at(y)], head, t);
+            progress = keep_order(result_.on_b[at(y)], head, progress);
             x = y;
         }
     }
 
-    /// The order of points along an edge is known exactly; rounding must not reverse it. Returns the weight
-    /// of the edge's head, which never decreases.
-    static double keep_order(Site& site, int head, double t) {
-        if (site.count != 2) return t;
+    /// Weights of a point of an edge: of the end it is traced from, and of its head.
+    struct Progress {
+        double tail = 1.0, head = 0.0;
+    };
+
+    /// The order of points along an edge is known exactly; rounding must not reverse it. A point that
+    /// rounding puts before its predecessor takes the predecessor's weights. Compared is the smaller weight,
+    /// which keeps its digits.
+    static Progress keep_order(Site& site, int head, const Progress& before) {
+        if (site.count != 2) return before;
         const int k = site.corners[0] == head ? 0 : 1;
-        if (site.weights[k] < t) {
-            site.weights[k] = t;
-            site.weights[1 - k] = 1.0 - t;
+        double &here_head = site.weights[k], &here_tail = site.weights[1 - k];
+        const bool reversed = before.head < 0.5 ? here_head < before.head : here_tail > before.tail;
+        if (reversed) {
+            here_head = before.head;
+            here_tail = before.tail;
         }
-        return site.weights[k];
+        return {here_tail, here_head};
     }
 
     void add_sides(int left_a, int right_a, int left_b, int right_b, int x, int y) {
@@ -308,12 +317,29 @@ private:
         std::vector<std::size_t> next(start.begin(), start.end() - 1);
         for (const Side& side : sides_) sorted[next[at(side.fa)]++] = side;
         for (std::size_t fa = 0; fa + 1 < start.size(); ++fa) {
-            std::sort(
-                sorted.begin() + static_cast<std::ptrdiff_t>(start[fa]),
-                sorted.begin() + static_cast<std::ptrdiff_t>(start[fa + 1]),
-                [](const Side& x, const Side& y) { return x.fb != y.fb ? x.fb < y.fb : x.from < y.from; });
+            sort_few(sorted, start[fa], start[fa + 1]);
         }
         sides_ = std::move(sorted);
+    }
+
+    /// Insertion sort by fb: a triangle has some ten sides in it, nearly sorted where neighbours were traced
+    /// in turn. Long ranges (one triangle over thousands) go to std::sort.
+    static void sort_few(std::vector<Side>& sides, std::size_t begin, std::size_t end) {
+        constexpr std::size_t kFew = 48;
+        const auto before = [](const Side& x, const Side& y) {
+            return x.fb != y.fb ? x.fb < y.fb : x.from < y.from;
+        };
+        if (end - begin > kFew) {
+            std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin),
+                      sides.begin() + static_cast<std::ptrdiff_t>(end), before);
+            return;
+        }
+        for (std::size_t i = begin + 1; i < end; ++i) {
+            const Side side = sides[i];
+            std::size_t k = i;
+            for (; k > begin && before(side, sides[k - 1]); --k) sides[k] = sides[k - 1];
+            sides[k] = side;
+        }
     }
 
     void link_face(std::size_t begin, std::size_t end) {

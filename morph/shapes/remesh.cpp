@@ -26,12 +26,15 @@ using Vertex = OpenMesh::VertexHandle;
 // Edge lengths relative to the wanted one; with these neither a split nor a collapse makes the other
 // necessary [Botsch04].
 constexpr double kLongest = 4.0 / 3.0, kShortest = 4.0 / 5.0;
-constexpr double kSplitGain =
-    0.95;                          // of an edge's length; sqrt(3) / 2 for an equilateral triangle in a plane
-constexpr int kShapingRounds = 6;  // until edge lengths are right
-constexpr int kShakes = 4;         // a random walk of about 1.2 edge lengths
-constexpr double kShake = 0.6;     // edge lengths
-constexpr int kCountRounds = 4;    // making the count exact
+// New edges of a split at most, relative to the old one; sqrt(3) / 2 for an equilateral triangle in a plane.
+// Below 1, so that splitting all long edges ends.
+constexpr double kSplitGain = 0.95;
+// Likewise for splits and collapses that only make the count right, relative to the wanted length.
+constexpr double kLongestForCount = 2.0;
+constexpr int kShapingRounds = 6;    // until edge lengths are right
+constexpr int kShakes = 4;           // a random walk of about 1.2 edge lengths
+constexpr double kShake = 0.6;       // edge lengths
+constexpr int kCountRounds = 4;      // making the count exact
 constexpr int kSettlingRounds = 12;  // until the triangles are even
 constexpr int kFlipPasses = 10;      // a bound only: two or three are used
 // A triangle and the surface's normal at its corners may include an angle of this cosine: a fold is negative.
@@ -87,7 +90,7 @@ private:
         measure();
         split_long_edges();
         collapse_short_edges();
-        flip_towards_valence_six();
+        make_delaunay();
         relax();
     }
 
@@ -135,12 +138,11 @@ private:
         length_ = std::sqrt(4.0 * area / (std::sqrt(3.0) * wanted_triangles_));
     }
 
-    /// Halves an edge unless one of the four new ones would be nearly as long: where the mesh is too coarse
-    /// for the surface, the middle may be projected far away.
-    bool split(Edge e) {
+    /// Halves an edge unless one of the four new ones would be longer than `longest`: where the mesh is too
+    /// coarse for the surface, the middle may be projected far away.
+    bool split(Edge e, double longest) {
         const auto ends = diamond(e);
         const SurfacePoint middle = project(surface_, 0.5 * (position(ends[0]) + position(ends[1])));
-        const double longest = kSplitGain * length(e);
         for (const Vertex v : ends) {
             if ((position(v) - middle.position).norm() > longest) return false;
         }
@@ -163,7 +165,7 @@ private:
             const auto [l, index] = queue.top();
             queue.pop();
             if (length(Edge(index)) != l) continue;  // split in the meantime
-            if (!split(Edge(index))) continue;
+            if (!split(Edge(index), kSplitGain * l)) continue;
             for (const auto e : topology_.ve_range(Vertex(static_cast<int>(points_.size()) - 1)))
                 push_if_long(e);
         }
@@ -212,28 +214,13 @@ private:
         return topology_.is_flip_ok(e) && upright(d[3], d[1], d[2]) && upright(d[2], d[0], d[3]);
     }
 
-    void flip_towards_valence_six() {
-        std::vector<int> valence(points_.size(), 0);
-        for (const auto h : topology_.halfedges()) {
-            ++valence[static_cast<std::size_t>(topology_.from_vertex_handle(h).idx())];
-        }
-        for (const auto e : topology_.edges()) {
-            const auto d = diamond(e);
-            const auto at = [&](int k) -> int& { return valence[static_cast<std::size_t>(d[k].idx())]; };
-            int gain = 0;  // of the sum of (valence - 6)^2
-            for (const int k : {0, 1}) gain += 2 * (at(k) - 6) - 1;
-            for (const int k : {2, 3}) gain -= 2 * (at(k) - 6) + 1;
-            if (gain <= 0 || at(0) <= 3 || at(1) <= 3 || !can_flip(e, d)) continue;
-            topology_.flip(e);
-            --at(0), --at(1), ++at(2), ++at(3);
-        }
-    }
-
     static double cotangent(const Vector& apex, const Vector& a, const Vector& b) {
         const Vector u = a - apex, v = b - apex;
         return u.dot(v) / std::max(u.cross(v).norm(), kTiny);
     }
 
+    /// [Botsch04] flip towards valence 6; Delaunay flips leave better triangles (least angles of 30 and 24
+    /// degrees on the star).
     void make_delaunay() {
         for (int pass = 0; pass < kFlipPasses; ++pass) {
             int flips = 0;
@@ -301,9 +288,9 @@ private:
                 const Edge e(index);
                 if (topology_.status(e).deleted() || length(e) != std::abs(key)) continue;
                 if (too_few)
-                    split(e);
+                    split(e, kLongestForCount * length_);
                 else
-                    collapse(e, 1.5 * kLongest * length_);
+                    collapse(e, kLongestForCount * length_);
             }
             if (vertex_count_ == before) return;  // too thin for so few triangles
         }

@@ -14,11 +14,13 @@ struct RemeshOptions {
 
 /// Tessellates a closed implicit surface into even, nearly equilateral triangles of one size.
 ///
-/// Method     [Botsch04]: split long edges, collapse short ones, flip towards valence 6, relax in the tangent
-///            plane, project. Then the seed comes in: vertices are shaken by more than an edge length, so
-///            that no pattern of `start` is left; the count is made exact; and Delaunay flips with relaxation
-///            towards the centroid of each vertex' triangles make the triangles even.
-/// Result     vertices on the surface (to rounding), closed, of the topology of `start`, facing outwards.
+/// Method     [Botsch04]: split long edges, collapse short ones, flip, relax in the tangent plane towards the
+///            area-weighted centroid of each vertex' triangles, project. Then the seed comes in: vertices are
+///            shaken by more than an edge length, so that no pattern of `start` is left. The count is made
+///            exact, and some rounds of flips and relaxation make the triangles even.
+/// Deviation  flips make the triangulation Delaunay instead of the valences 6: better triangles, fewer
+/// rounds. Result     vertices on the surface (to rounding), closed, of the topology of `start`, facing
+/// outwards.
 ///            The triangle count is exact unless the shape is too thin for so few triangles.
 /// Cost       linear in the triangles of `start` and of the result.
 /// @pre `start` is closed, faces outwards, has no folds and lies so near the surface that projecting it along

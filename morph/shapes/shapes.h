@@ -31,7 +31,7 @@ struct StarParameters {
 };
 
 /// The surface is infinitely smooth: see star.cpp for its equation. Meshed like the ellipsoid.
-/// @throws InvalidMesh unless 3 <= arms <= 12, 0.2 outer <= inner <= 0.9 outer and 0.05 outer <= depth <= outer
+/// @throws InvalidMesh unless 3 <= arms <= 12, 0.2 <= inner / outer <= 0.8 and 0.05 <= depth / outer <= 1
 Mesh star(const StarParameters& parameters, const ShapeOptions& options = {});
 
 }  // namespace automorph

@@ -24,7 +24,7 @@ constexpr double kTaper = 0.42;    // radius at the tip over radius at the base
 constexpr double kSoftness = 0.2;  // e over the arm's length
 // Beyond these limits arms grow together, or are thinner than their triangles.
 constexpr int kFewestArms = 3, kMostArms = 12;
-constexpr double kSmallestInner = 0.2, kLargestInner = 0.9, kSmallestDepth = 0.05;  // of the outer radius
+constexpr double kSmallestInner = 0.2, kLargestInner = 0.8, kSmallestDepth = 0.05;  // of the outer radius
 constexpr int kBisections = 60;                                                     // to the last bit
 
 struct Star {
@@ -85,10 +85,11 @@ Star fit(const StarParameters& parameters) {
                                                                       std::sin(pi / parameters.arms), 0.0);
     const auto fit_length = [&](double base) {
         star.base = base;
-        star.length = bisect(1e-3 * outer, outer, [&](double length) {
-            star.length = length;
-            return -star(tip).value;
-        });
+        star.length =
+            bisect(1e-3 * outer, 2.0 * outer, [&](double length) {  // its smooth end falls short of it
+                star.length = length;
+                return -star(tip).value;
+            });
     };
     fit_length(bisect(1e-3 * outer, outer, [&](double base) {
         fit_length(base);

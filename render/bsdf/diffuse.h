@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
+#include "render/math/disk.h"
 #include "render/math/vec.h"
 
 namespace automorph::render {
@@ -18,20 +22,23 @@ public:
     explicit Diffuse(const Color& albedo) : albedo_(albedo) {}
 
     /// f cos for light from `wi`.
-    Color evaluate(const Vec3& wi) const { return wi.z() > 0.0f ? Color(albedo_ * pdf(wi)) : Color::Zero(); }
+    Color evaluate(const Vec3& wi) const { return pdf(wi) * albedo_; }
 
     /// Density with which sample() takes `wi`.
     float pdf(const Vec3& wi) const { return wi.z() > 0.0f ? wi.z() * kInvPi : 0.0f; }
 
-    /// A direction proportional to the cosine, for (u, v) in [0, 1)^2.
-    BsdfSample sample(float u, float v) const;
+    /// A direction proportional to the cosine, for (u, v) in [0, 1)^2 (Malley's method).
+    BsdfSample sample(float u, float v) const {
+        const Eigen::Vector2f disk = sample_disk(u, v);
+        const float z2 = std::max(0.0f, 1.0f - disk.squaredNorm());
+        const float z = std::max(kLowest, std::sqrt(z2));
+        return {{disk.x(), disk.y(), z}, albedo_, z * kInvPi};
+    }
 
 private:
+    static constexpr float kLowest = 1e-6f;  // above the horizon, so that pdf and weight are never 0/0
+
     Color albedo_;
 };
-
-/// A point of the unit disk for (u, v) in [0, 1)^2: area-preserving and continuous [Shirley97]. It uses no
-/// function of the C library whose last bit depends on the machine.
-Eigen::Vector2f sample_disk(float u, float v);
 
 }  // namespace automorph::render

@@ -47,11 +47,6 @@ PinholeCamera::PinholeCamera(const Camera& camera, int width, int height) : posi
     step_y_ = (-up_ / half_height_).cast<float>();
 }
 
-Vec3 PinholeCamera::direction(float x, float y) const {
-    const Vec3 through = corner_ + x * step_x_ + y * step_y_;
-    return through / std::sqrt(through.squaredNorm());
-}
-
 std::optional<Eigen::Vector2d> PinholeCamera::project(const Eigen::Vector3d& point) const {
     const Eigen::Vector3d d = point - position_;
     const double depth = d.dot(forward_);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <optional>
 
 #include "render/math/vec.h"
@@ -26,7 +27,10 @@ public:
     const Vec3& origin() const { return origin_; }
 
     /// Unit direction of the ray from `origin()` through the picture point (x, y) in pixels.
-    Vec3 direction(float x, float y) const;
+    Vec3 direction(float x, float y) const {
+        const Vec3 through = corner_ + x * step_x_ + y * step_y_;
+        return through / std::sqrt(through.squaredNorm());
+    }
 
     /// Picture point (pixels) of a world point; empty when it is not in front of the camera.
     std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& point) const;

@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
 constexpr double kRadius = 1.5;  // pixels
-constexpr int kSteps = 2048;     // table intervals; the distribution is then met within 2e-4
 
 // Integral of the four-term Blackman-Harris window (Harris 1978) over [0, x] of its length 1, over the whole.
 double distribution(double x) {
@@ -36,14 +35,6 @@ FilterSampler::FilterSampler(Filter filter) {
         inverse_[static_cast<std::size_t>(i)] =
             static_cast<float>(kRadius * (2.0 * invert(static_cast<double>(i) / kSteps) - 1.0));
     }
-}
-
-float FilterSampler::operator()(float u) const {
-    if (inverse_.empty()) return u - 0.5f;
-    const float place = u * kSteps;
-    const auto cell = static_cast<std::size_t>(place);
-    const float fraction = place - static_cast<float>(cell);
-    return inverse_[cell] + fraction * (inverse_[cell + 1] - inverse_[cell]);
 }
 
 }  // namespace automorph::render

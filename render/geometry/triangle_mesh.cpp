@@ -48,11 +48,6 @@ std::vector<float> area_weighted_normals(const Points& V, const std::vector<std:
     return to_floats(sums, 0);
 }
 
-Vec3 row(const std::vector<float>& values, std::uint32_t index) {
-    const float* p = &values[3 * static_cast<std::size_t>(index)];
-    return {p[0], p[1], p[2]};
-}
-
 }  // namespace
 
 TriangleMesh::TriangleMesh(const Points& V, const Triangles& F, Normals normals, const Points& vertex_normals)
@@ -87,16 +82,6 @@ void TriangleMesh::move(const Points& V) {
     std::copy(moved.begin(), moved.end(), positions_.begin());
     ray_offset_ = kRayOffset * largest_coordinate(positions_);
     if (smooth_ && !given_normals_) normals_ = area_weighted_normals(V, indices_);
-}
-
-std::array<Vec3, 3> TriangleMesh::corners(std::uint32_t triangle) const {
-    const std::uint32_t* i = &indices_[3 * static_cast<std::size_t>(triangle)];
-    return {row(positions_, i[0]), row(positions_, i[1]), row(positions_, i[2])};
-}
-
-std::array<Vec3, 3> TriangleMesh::corner_normals(std::uint32_t triangle) const {
-    const std::uint32_t* i = &indices_[3 * static_cast<std::size_t>(triangle)];
-    return {row(normals_, i[0]), row(normals_, i[1]), row(normals_, i[2])};
 }
 
 }  // namespace automorph::render

@@ -29,9 +29,9 @@ public:
     int triangle_count() const { return static_cast<int>(indices_.size()) / 3; }
     bool smooth() const { return smooth_; }
 
-    std::array<Vec3, 3> corners(std::uint32_t triangle) const;
-    std::array<Vec3, 3> corner_normals(
-        std::uint32_t triangle) const;  ///< unit, or zero where there is none. @pre smooth()
+    std::array<Vec3, 3> corners(std::uint32_t triangle) const { return gather(positions_, triangle); }
+    /// Unit, or zero where there is none. @pre smooth()
+    std::array<Vec3, 3> corner_normals(std::uint32_t triangle) const { return gather(normals_, triangle); }
 
     /// Distance by which rays start off the surface: a few units in the last place of the largest coordinate.
     float ray_offset() const { return ray_offset_; }
@@ -41,6 +41,12 @@ public:
 
 private:
     static constexpr std::size_t kPadding = 1;  // floats after the last vertex: Embree loads 16 bytes at once
+
+    std::array<Vec3, 3> gather(const std::vector<float>& values, std::uint32_t triangle) const {
+        const std::uint32_t* corner = &indices_[3 * static_cast<std::size_t>(triangle)];
+        const auto row = [&](std::uint32_t i) { return Vec3(&values[3 * static_cast<std::size_t>(i)]); };
+        return {row(corner[0]), row(corner[1]), row(corner[2])};
+    }
 
     std::vector<float> positions_;
     std::vector<std::uint32_t> indices_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "render/math/angle.h"
+
 namespace automorph::render {
 namespace {
 
@@ -18,7 +20,7 @@ double cosine_integral(const std::array<Vec3d, 5>& corners, std::size_t count, c
         const Vec3d& b = corners[(i + 1) % count];
         const Vec3d axis = cross(a, b);
         const double sine = axis.norm();
-        if (sine > 0.0) sum += std::atan2(sine, a.dot(b)) * axis.dot(normal) / sine;
+        if (sine > 0.0) sum += angle_of(sine, a.dot(b)) * axis.dot(normal) / sine;
     }
     return 0.5 * sum;
 }
@@ -49,29 +51,6 @@ RectangleLight square_light(const Vec3& center, const Vec3& target, float side, 
     light.edge_v = side * cross(normal, u);
     light.radiance = radiance;
     return light;
-}
-
-std::optional<LightSample> sample(const RectangleLight& light, const Vec3& point, float u, float v) {
-    const Vec3 area_normal = cross(light.edge_u, light.edge_v);
-    const Vec3 to_light = light.center + (u - 0.5f) * light.edge_u + (v - 0.5f) * light.edge_v - point;
-    const float distance2 = to_light.squaredNorm();
-    const float facing = -to_light.dot(area_normal);  // area * distance * cosine at the light
-    if (!(facing > 0.0f)) return std::nullopt;
-    const float distance = std::sqrt(distance2);
-    return LightSample{to_light, to_light / distance, light.radiance, distance2 * distance / facing};
-}
-
-std::optional<LightHit> intersect(const RectangleLight& light, const Vec3& origin, const Vec3& direction) {
-    const Vec3 area_normal = cross(light.edge_u, light.edge_v);
-    const float facing = -direction.dot(area_normal);
-    if (!(facing > 0.0f)) return std::nullopt;
-    const Vec3 to_center = light.center - origin;
-    const float distance = -to_center.dot(area_normal) / facing;
-    if (!(distance > 0.0f)) return std::nullopt;
-    const Vec3 place = distance * direction - to_center;
-    if (2.0f * std::abs(place.dot(light.edge_u)) > light.edge_u.squaredNorm()) return std::nullopt;
-    if (2.0f * std::abs(place.dot(light.edge_v)) > light.edge_v.squaredNorm()) return std::nullopt;
-    return LightHit{distance, distance * distance / facing};
 }
 
 Color irradiance(const RectangleLight& light, const Vec3& point, const Vec3& normal) {

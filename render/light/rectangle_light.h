@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 
 #include "render/math/vec.h"
@@ -28,7 +29,15 @@ struct LightSample {
 };
 
 /// Samples the rectangle's area evenly by (u, v) in [0, 1)^2; empty when the point is behind the light.
-std::optional<LightSample> sample(const RectangleLight& light, const Vec3& point, float u, float v);
+inline std::optional<LightSample> sample(const RectangleLight& light, const Vec3& point, float u, float v) {
+    const Vec3 area_normal = cross(light.edge_u, light.edge_v);
+    const Vec3 to_light = light.center + (u - 0.5f) * light.edge_u + (v - 0.5f) * light.edge_v - point;
+    const float distance2 = to_light.squaredNorm();
+    const float facing = -to_light.dot(area_normal);  // area * distance * cosine at the light
+    if (!(facing > 0.0f)) return std::nullopt;
+    const float distance = std::sqrt(distance2);
+    return LightSample{to_light, to_light / distance, light.radiance, distance2 * distance / facing};
+}
 
 /// Where a ray meets the radiating side.
 struct LightHit {
@@ -37,7 +46,19 @@ struct LightHit {
 };
 
 /// @pre `direction` is a unit vector
-std::optional<LightHit> intersect(const RectangleLight& light, const Vec3& origin, const Vec3& direction);
+inline std::optional<LightHit> intersect(const RectangleLight& light, const Vec3& origin,
+                                         const Vec3& direction) {
+    const Vec3 area_normal = cross(light.edge_u, light.edge_v);
+    const float facing = -direction.dot(area_normal);
+    if (!(facing > 0.0f)) return std::nullopt;
+    const Vec3 to_center = light.center - origin;
+    const float distance = -to_center.dot(area_normal) / facing;
+    if (!(distance > 0.0f)) return std::nullopt;
+    const Vec3 place = distance * direction - to_center;
+    if (2.0f * std::abs(place.dot(light.edge_u)) > light.edge_u.squaredNorm()) return std::nullopt;
+    if (2.0f * std::abs(place.dot(light.edge_v)) > light.edge_v.squaredNorm()) return std::nullopt;
+    return LightHit{distance, distance * distance / facing};
+}
 
 /// Irradiance that an unoccluded rectangle gives a surface at `point` with unit normal `normal`: Lambert's
 /// polygon formula, with the part below the surface's horizon cut off.
