@@ -9,7 +9,7 @@ automorph::FigureConfig config() {
 automorph::FigureOptions options() {
     automorph::FigureOptions options;
     options.spp = 16;
-    options.scale = 0.16;  // 64 x 64 pixels
+    options.scale = 0.2;  // 80 x 80 pixels
     options.embree_config = "isa=sse4.2";
     return options;
 }
