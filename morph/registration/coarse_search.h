@@ -2,16 +2,10 @@
 
 #include <vector>
 
-#include "morph/registration/procrustes.h"
+#include "morph/registration/candidates.h"
 #include "morph/registration/surface_sample.h"
 
 namespace automorph {
-
-/// A pose and how badly the two shapes agree in it.
-struct Candidate {
-    RigidMotion motion;
-    double distance = 0.0;
-};
 
 /// A few steps of EM-ICP from each starting rotation, with all p_ij of Eq. (6) between two small samples
 /// (about a hundred points: cheaper than a tree, vectorised, single precision), in parallel over the starts.
