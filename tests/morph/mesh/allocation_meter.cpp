@@ -13,7 +13,7 @@ namespace {
 std::atomic<std::size_t> alive{0}, highest{0};
 
 void* counted(void* memory) {
-    if (memory == nullptr) throw std::bad_alloc();
+    if (memory == nullptr) return memory;
     const std::size_t now = alive += malloc_usable_size(memory);
     std::size_t seen = highest;
     while (now > seen && !highest.compare_exchange_weak(seen, now)) {
@@ -28,11 +28,19 @@ void discount(void* memory) {
 
 }  // namespace
 
-void* operator new(std::size_t size) {
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
     return counted(std::malloc(size));
 }
+void* operator new(std::size_t size) {
+    void* const memory = counted(std::malloc(size));
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
 void* operator new[](std::size_t size) {
-    return counted(std::malloc(size));
+    return operator new(size);
+}
+void* operator new[](std::size_t size, const std::nothrow_t& none) noexcept {
+    return operator new(size, none);
 }
 // std::stable_sort's buffer comes from here; it must not pass by the meter.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
