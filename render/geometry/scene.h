@@ -26,8 +26,7 @@ struct SceneOptions {
 struct MeshOptions {
     Normals normals = Normals::Smooth;
     Material material;
-    Points
-        vertex_normals;  ///< #V x 3, optional: used instead of area-weighted ones where normals are Smooth
+    Points vertex_normals;  ///< #V x 3, optional: used instead of area-weighted ones where normals are Smooth
 };
 
 /// Everything that is rendered: meshes, lights and sky. Meshes keep their triangles while their vertices move

@@ -31,8 +31,8 @@ float largest_coordinate(const std::vector<float>& positions) {
     return largest;
 }
 
-// Unit vertex normals, each triangle weighted by its area: the needles of merged meshes, whose own normals are
-// rounding, do not count. Vertices without one get the zero vector.
+// Unit vertex normals, each triangle weighted by its area: the needles of merged meshes, whose own normals
+// are rounding, do not count. Vertices without one get the zero vector.
 std::vector<float> area_weighted_normals(const Points& V, const std::vector<std::uint32_t>& indices) {
     Points sums = Points::Zero(V.rows(), 3);
     for (std::size_t f = 0; f + 2 < indices.size(); f += 3) {

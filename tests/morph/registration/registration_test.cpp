@@ -89,7 +89,8 @@ TEST_CASE("a differently tessellated copy is found again from 500 random rotatio
     for (const Case& c : cases) {
         const Worst worst = worst_of(c.source, c.target, c.poses, seed += 1000);
         CAPTURE(seed, worst.degrees, worst.scale, worst.place);
-        CHECK(worst.degrees < 5.0);  // the usual bound of success; coarse tessellations differ by more than a degree
+        CHECK(worst.degrees <
+              5.0);  // the usual bound of success; coarse tessellations differ by more than a degree
         CHECK(worst.scale < 0.02);
         CHECK(worst.place < 0.02);
         CHECK(worst.unsure == 0);
