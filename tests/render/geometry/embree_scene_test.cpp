@@ -55,16 +55,24 @@ TEST_CASE("an instruction set that does not exist is refused, since Embree would
     CHECK_NOTHROW(EmbreeScene({"verbose=0,isa=sse4.2,threads=1", false}));
 }
 
-TEST_CASE(
-    "smooth normals are weighted by angle, so that the triangulation of a cube's sides does not matter") {
-    const Shape cube = box();
-    const TriangleMesh mesh(cube.V, cube.F, Normals::Smooth);
-    for (std::uint32_t f = 0; f < 12; ++f) {
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3 expected = mesh.corners(f)[k].normalized();
-            CHECK((mesh.corner_normals(f)[k] - expected).norm() < 1e-6f);
-        }
+TEST_CASE("smooth normals are weighted by area, so that needles do not count") {
+    // A flat square about its centre, and a needle without area to speak of that stands upright on one spoke.
+    Points V(6, 3);
+    V << 0, 0, 0, 1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0, 0.5, 0, 1e-9;
+    Triangles F(5, 3);
+    F << 0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1, 0, 1, 5;
+    const TriangleMesh mesh(V, F, Normals::Smooth);
+    for (std::uint32_t f = 0; f < 4; ++f) {
+        CHECK((mesh.corner_normals(f)[0] - Vec3(0, 0, 1)).norm() < 1e-6f);
     }
+    // A roof of two sides, one twice as large as the other: the ridge leans to the larger one.
+    Points roof(4, 3);
+    roof << 0, -1, 0, 0, 1, 0, -2, 0, 0, 0, 0, -1;
+    Triangles sides(2, 3);
+    sides << 0, 1, 2, 1, 0, 3;
+    const TriangleMesh leaning(roof, sides, Normals::Smooth);
+    const Vec3 expected = Vec3(1, 0, 2).normalized();  // areas 2 and 1, facing z and x
+    CHECK((leaning.corner_normals(0)[0] - expected).norm() < 1e-6f);
 }
 
 TEST_CASE("given normals are normalised and stay when vertices move, computed ones follow") {
