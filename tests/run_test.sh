@@ -2,6 +2,7 @@
 # The launcher, in a copy whose apt-get, cmake, ninja, ... are stand-ins that write down how they were called.
 # shellcheck disable=SC2317  # the functions are called through check
 set -euo pipefail
+unset AUTOMORPH_PRESET  # of the run that calls this test
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

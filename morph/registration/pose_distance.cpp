@@ -11,6 +11,7 @@ namespace automorph {
 namespace {
 
 constexpr double kKept = 0.8;  // share of the distances that count
+constexpr int kGrain = 1024;   // queries per task, some milliseconds
 
 NearestPoints<6>::Rows with_normals(const Points& points, const Points& normals, double sign) {
     NearestPoints<6>::Rows rows(points.rows(), 6);
@@ -24,7 +25,7 @@ double one_sided(const SurfaceSample& sample, const RigidMotion& motion, double 
     const NearestPoints<6>::Rows queries =
         with_normals(motion.apply(sample.points), sample.normals * motion.R.transpose(), sign);
     Eigen::ArrayXd distance(queries.rows());
-    tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, queries.rows(), 64), [&](const auto& range) {
+    tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, queries.rows(), kGrain), [&](const auto& range) {
         for (Eigen::Index i = range.begin(); i < range.end(); ++i) {
             std::uint32_t row;
             double d2;

@@ -1,5 +1,7 @@
 #include "morph/registration/registration.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -81,12 +83,12 @@ struct Solution {
 // among them, else the first different one of `others`.
 Solution refine_finally(const Scene& scene, const std::vector<Candidate>& candidates,
                         const std::vector<Candidate>& others, int max_iterations) {
-    std::vector<Candidate> refined;
-    std::vector<EmIcpResult> results;
-    for (const Candidate& candidate : candidates) {
-        results.push_back(scene.refine(candidate.motion, max_iterations));
-        refined.push_back({results.back().motion, scene.distance(results.back().motion)});
-    }
+    std::vector<Candidate> refined(candidates.size());
+    std::vector<EmIcpResult> results(candidates.size());
+    tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
+        results[i] = scene.refine(candidates[i].motion, max_iterations);
+        refined[i] = {results[i].motion, scene.distance(results[i].motion)};
+    });
     const std::size_t choice = least_turn_among_best(refined);
     Solution solution{results[choice], refined[choice].distance};
     for (const Candidate& candidate : refined) {
@@ -122,10 +124,10 @@ Solution search(const Mesh& source, const SurfaceSize& source_size, const Mesh& 
     // Some more, and the polish, from the best of them.
     const Scene medium_scene(a, b, kMediumPoints, certain);
     std::vector<Candidate> medium = promising(coarse, kMediumCandidates, kMediumRatio);
-    for (Candidate& candidate : medium) {
-        candidate.motion = medium_scene.refine(candidate.motion, kMediumIterations).motion;
-        candidate.distance = medium_scene.distance(candidate.motion);
-    }
+    tbb::parallel_for(std::size_t{0}, medium.size(), [&](std::size_t i) {
+        medium[i].motion = medium_scene.refine(medium[i].motion, kMediumIterations).motion;
+        medium[i].distance = medium_scene.distance(medium[i].motion);
+    });
     medium = best_distinct(std::move(medium));
     std::vector<Candidate> others = medium;
     others.insert(others.end(), coarse.begin(), coarse.end());
