@@ -1,5 +1,7 @@
 #include "morph/merge_disks.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "morph/mesh/geometry.h"
@@ -7,6 +9,7 @@
 #include "morph/overlay/snap.h"
 #include "morph/overlay/triangulate.h"
 #include "morph/parameterization/disk_map.h"
+#include "morph/parameterization/guided_map.h"
 
 namespace automorph {
 
@@ -55,6 +58,42 @@ MapReport map_report(const std::string& of, const DiskMap& map) {
             map.residual};
 }
 
+/// The map of a that follows the guide on b's map; a map of its own where it cannot be made one-to-one.
+DiskMap aligned_map(const BorderedMesh& a, const Guide& guide, const BorderedMesh& b, const Points& rays_b,
+                    const std::vector<char>& filling_b, const Points& circle, Report& report) {
+    Mesh surface = b.mesh;
+    int own = 0;
+    for (int f = 0; f < b.mesh.triangle_count(); ++f) {
+        if (!filling_b[static_cast<std::size_t>(f)]) surface.F.row(own++) = b.mesh.F.row(f);
+    }
+    surface.F.conservativeResize(own, 3);
+
+    Points places(a.mesh.vertex_count(), 3);
+    places.topRows(guide.x.rows()) = guided_rays(guide, surface, rays_b);
+    std::vector<char> fixed(static_cast<std::size_t>(a.mesh.vertex_count()), 0);
+    for (std::size_t k = 0; k < a.loop.size(); ++k) {
+        places.row(a.loop[k]) = circle.row(static_cast<Eigen::Index>(k));
+        fixed[static_cast<std::size_t>(a.loop[k])] = 1;
+    }
+    GuidedMap guided = guided_map(a.mesh, fixed, places, MapDomain::Disk);
+    report.alignment.flipped_before = guided.flipped_before;
+    report.alignment.moved = guided.moved;
+    report.alignment.rounds = guided.rounds;
+    if (guided.flipped > 0) {
+        report.notes.push_back(
+            fmt::format("the alignment was given up: {} triangles of the source could not be "
+                        "turned back",
+                        guided.flipped));
+        return disk_map(a.mesh, a.loop, circle);
+    }
+    report.alignment.used = true;
+    DiskMap map;
+    map.weights = MapWeights::MeanValue;
+    map.quality = map_quality(a.mesh, guided.rays);
+    map.rays = std::move(guided.rays);
+    return map;
+}
+
 int zero_area_triangles(const Points& V, const Triangles& F) {
     const Eigen::VectorXd areas = triangle_areas({V, F});
     return static_cast<int>((areas.array() <= 0.0).count());
@@ -67,18 +106,24 @@ Points place_on(const Shape& shape, const std::vector<Site>& sites, bool curved)
 }
 
 MergedDisks merge_disks(const Shape& shape_a, const Disk& a, const Shape& shape_b, const Disk& b,
-                        const BorderUnion& border, bool curved, const std::string& label, Report& report) {
+                        const BorderUnion& border, const Guide* guide, bool curved, const std::string& label,
+                        Report& report) {
     const BorderedMesh bordered_a = insert_border(a.mesh, a.loop, border.source);
     const BorderedMesh bordered_b = insert_border(b.mesh, b.loop, border.target);
     const std::vector<Site> sites_a = sites_on_shape(a, bordered_a), sites_b = sites_on_shape(b, bordered_b);
+
+    const std::vector<char> filling_a = filling_triangles(shape_a, bordered_a.mesh, sites_a);
+    const std::vector<char> filling_b = filling_triangles(shape_b, bordered_b.mesh, sites_b);
 
     DiskMap map_a, map_b;
     {
         const StageClock clock(report, "maps" + label);
         const Points circle = border_rays(border.angles);
-        map_a = disk_map(bordered_a.mesh, bordered_a.loop, circle);
         map_b = disk_map(bordered_b.mesh, bordered_b.loop, circle);
+        map_a = guide ? aligned_map(bordered_a, *guide, bordered_b, map_b.rays, filling_b, circle, report)
+                      : disk_map(bordered_a.mesh, bordered_a.loop, circle);
         report.maps.push_back(map_report("source" + label, map_a));
+        if (guide && report.alignment.used) report.maps.back().weights = "aligned";
         report.maps.push_back(map_report("target" + label, map_b));
     }
 
@@ -101,8 +146,6 @@ MergedDisks merge_disks(const Shape& shape_a, const Disk& a, const Shape& shape_
     for (const int vertex : bordered_a.loop)
         result.border.push_back(merged.vertex_of_a[static_cast<std::size_t>(vertex)]);
 
-    const std::vector<char> filling_a = filling_triangles(shape_a, bordered_a.mesh, sites_a);
-    const std::vector<char> filling_b = filling_triangles(shape_b, bordered_b.mesh, sites_b);
     for (const int face : triangles.face) {
         const auto fa = static_cast<std::size_t>(merged.face_of_a[static_cast<std::size_t>(face)]);
         const auto fb = static_cast<std::size_t>(merged.face_of_b[static_cast<std::size_t>(face)]);

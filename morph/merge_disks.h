@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "morph/alignment/guide.h"
 #include "morph/overlay/overlay.h"
 #include "morph/parameterization/border.h"
 #include "morph/report.h"
@@ -37,9 +38,13 @@ Points place_on(const Shape& shape, const std::vector<Site>& sites, bool curved)
 
 /// [Urtasun04] Sec. 3 for two disks whose borders are known to correspond: border insertion, maps, overlay,
 /// triangulation. Adds its maps, overlay and stages to the report.
+/// @param guide  where an alignment puts the vertices of shape a; the disks must be whole shapes then.
+/// nullptr: a
+///               has a map of its own
 /// @param label  " half 1" or "": tells the disks of one morph apart in the report
 /// @throws SolverFailure a stage found no valid answer
 MergedDisks merge_disks(const Shape& shape_a, const Disk& a, const Shape& shape_b, const Disk& b,
-                        const BorderUnion& border, bool curved, const std::string& label, Report& report);
+                        const BorderUnion& border, const Guide* guide, bool curved, const std::string& label,
+                        Report& report);
 
 }  // namespace automorph

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
+#include "morph/alignment/border_places.h"
+#include "morph/alignment/guide.h"
 #include "morph/cut/cut.h"
 #include "morph/merge_disks.h"
 #include "morph/mesh/admit.h"
@@ -70,7 +73,7 @@ public:
                             source_.report.name, source_.report.closed ? "closed" : "open",
                             target_.report.name, target_.report.closed ? "closed" : "open"));
         }
-        if (options_.alignment == Alignment::Registration) register_shapes();
+        if (registers()) register_shapes();
         if (source_.report.closed) {
             merge_closed();
         } else {
@@ -84,6 +87,8 @@ public:
     Points correspondence;
 
 private:
+    bool registers() const { return options_.alignment != Alignment::None; }
+
     /// Sec. 4.1.
     void register_shapes() {
         const StageClock clock(report_, "registration");
@@ -103,7 +108,7 @@ private:
         Mesh target_mesh = target_.mesh;
         std::vector<std::vector<int>> source_loops = loops(source_.mesh), target_loops = loops(target_mesh);
         BorderControl control;  // Section 3 alone: an arbitrary start, the mesh's own direction
-        if (options_.alignment == Alignment::Registration) {
+        if (registers()) {
             const StageClock clock(report_, "border");
             control = registered_control(source_.mesh, source_loops[0], target_mesh, target_loops[0],
                                          registration_);
@@ -118,12 +123,36 @@ private:
             report_.notes.push_back(
                 "the target's border runs the other way round (Eq. 8): its triangles were turned");
         }
-        source_shape_ = open_shape(source_.mesh, source_loops);
-        target_shape_ = open_shape(target_mesh, target_loops);
+        std::vector<int> source_centres, target_centres;
+        source_shape_ = open_shape(source_.mesh, source_loops, source_centres);
+        target_shape_ = open_shape(target_mesh, target_loops, target_centres);
         const Disk a = whole(source_shape_, source_loops[0]), b = whole(target_shape_, target_loops[0]);
-        const BorderUnion border = border_union(loop_points(a), loop_points(b), control);
-        merged_ = merge_disks(source_shape_, a, target_shape_, b, border, options_.lift, "", report_);
+        BorderUnion border = border_union(loop_points(a), loop_points(b), control);
+        std::optional<Guide> guide;
+        if (options_.alignment == Alignment::Dense) {
+            guide = align_open({source_.mesh, source_loops, source_centres},
+                               {target_mesh, target_loops, target_centres}, border);
+        }
+        merged_ = merge_disks(source_shape_, a, target_shape_, b, border, guide ? &*guide : nullptr,
+                              options_.lift, "", report_);
         open_fillings();
+    }
+
+    /// The dense alignment; it places the source's border too. Empty where that leads nowhere.
+    std::optional<Guide> align_open(const AlignedShape& source, const AlignedShape& target,
+                                    BorderUnion& border) {
+        const StageClock clock(report_, "alignment");
+        Guide guide = align(source, registration_.apply(source.mesh.V), target);
+        report_.alignment.distance = guide.distance;
+        const auto aligned =
+            aligned_border(guide.x(source.loops[0], Eigen::all), target.mesh.V(target.loops[0], Eigen::all));
+        if (!aligned) {
+            report_.notes.push_back(
+                "the alignment was given up: the source's border does not run once around the target's");
+            return std::nullopt;
+        }
+        border = *aligned;
+        return guide;
     }
 
     /// Sec. 6: a plane cuts both shapes into halves that share the cut as border.
@@ -135,12 +164,11 @@ private:
         BorderControl control;
         {
             const StageClock clock(report_, "cut");
-            const CutPlanes planes = options_.alignment == Alignment::Registration
-                                         ? choose_cut(source_.mesh, target_.mesh, registration_)
-                                         : unregistered_cut(source_.mesh, target_.mesh);
+            const CutPlanes planes = registers() ? choose_cut(source_.mesh, target_.mesh, registration_)
+                                                 : unregistered_cut(source_.mesh, target_.mesh);
             source_cut = cut(source_.mesh, planes.source);
             target_cut = cut(target_.mesh, planes.target);
-            if (options_.alignment == Alignment::Registration) {
+            if (registers()) {
                 // Both halves face outwards, so the direction is known.
                 control =
                     registered_control(source_cut.halves[0].mesh, source_cut.halves[0].loop,
@@ -151,10 +179,10 @@ private:
         const Disk a0 = half(source_cut, 0), a1 = half(source_cut, 1), b0 = half(target_cut, 0),
                    b1 = half(target_cut, 1);
         const BorderUnion border = border_union(loop_points(a0), loop_points(b0), control);
-        const MergedDisks first =
-            merge_disks(source_shape_, a0, target_shape_, b0, border, options_.lift, " half 1", report_);
+        const MergedDisks first = merge_disks(source_shape_, a0, target_shape_, b0, border, nullptr,
+                                              options_.lift, " half 1", report_);
         const MergedDisks second = merge_disks(source_shape_, a1, target_shape_, b1, mirrored(border),
-                                               options_.lift, " half 2", report_);
+                                               nullptr, options_.lift, " half 2", report_);
         merged_ = glue(first, second);
     }
 
@@ -164,10 +192,13 @@ private:
 
     static Points loop_points(const Disk& disk) { return disk.mesh.V(disk.loop, Eigen::all); }
 
-    static Shape open_shape(const Mesh& mesh, const std::vector<std::vector<int>>& all_loops) {
+    static Shape open_shape(const Mesh& mesh, const std::vector<std::vector<int>>& all_loops,
+                            std::vector<int>& centres) {
         Shape shape{mesh, vertex_normals(mesh), mesh.vertex_count()};
         if (all_loops.size() > 1) {
-            shape.mesh = fill_openings(mesh, {all_loops.begin() + 1, all_loops.end()}).mesh;
+            FilledMesh filled = fill_openings(mesh, {all_loops.begin() + 1, all_loops.end()});
+            shape.mesh = std::move(filled.mesh);
+            centres = std::move(filled.centres);
             shape.normals.conservativeResizeLike(Points::Zero(shape.mesh.vertex_count(), 3));
         }
         return shape;
