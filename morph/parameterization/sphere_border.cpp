@@ -100,4 +100,22 @@ ChordFreeMesh split_chords(const Mesh& mesh, const std::vector<int>& loop) {
     return result;
 }
 
+ClosedMesh closed_with_apex(const Mesh& mesh, const std::vector<int>& loop) {
+    ClosedMesh closed{mesh, {}, mesh.triangle_count()};
+    if (loop.empty()) return closed;
+    const int apex = mesh.vertex_count();
+    const auto n = static_cast<Eigen::Index>(loop.size());
+    closed.fixed.assign(at(apex) + 1, 0);
+    closed.fixed[at(apex)] = 1;
+    closed.mesh.V.conservativeResize(apex + 1, 3);
+    closed.mesh.V.row(apex) = mesh.V.row(loop[0]);  // its place is never looked at
+    closed.mesh.F.conservativeResize(closed.surface + n, 3);
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+        closed.mesh.F.row(closed.surface + static_cast<Eigen::Index>(k)) << loop[(k + 1) % loop.size()],
+            loop[k], apex;
+        closed.fixed[at(loop[k])] = 1;
+    }
+    return closed;
+}
+
 }  // namespace automorph

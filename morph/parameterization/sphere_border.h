@@ -31,4 +31,14 @@ struct ChordFreeMesh {
 /// the border's circle. The surface stays the same.
 ChordFreeMesh split_chords(const Mesh& mesh, const std::vector<int>& loop);
 
+/// A mesh closed for half-edges: its border, if it has one, joined to an apex by a fan.
+struct ClosedMesh {
+    Mesh mesh;                ///< vertices and triangles of the input, then the apex and its fan
+    std::vector<char> fixed;  ///< #V: border vertices and the apex; empty without border
+    int surface = 0;          ///< triangles of the input
+};
+
+/// @param loop  the only boundary loop, or empty for a closed mesh
+ClosedMesh closed_with_apex(const Mesh& mesh, const std::vector<int>& loop);
+
 }  // namespace automorph

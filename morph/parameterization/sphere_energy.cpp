@@ -24,6 +24,12 @@ TriangleMetric triangle_metric(const Eigen::Vector3d& p0, const Eigen::Vector3d&
     return {{l1 + l2 - l0, l2 + l0 - l1, l0 + l1 - l2}, 0.5 * area, 0.125 / area};
 }
 
+bool clearly_positive(const Ray& a, const Ray& b, const Ray& c) {
+    const Ray ab = b - a, ac = c - a;
+    const double lb = ab.norm(), lc = ac.norm();
+    return a.dot(ab.cross(ac)) > kSlimmest * lb * lc + kRounding * (lb + lc);
+}
+
 void SphereStar::reset(const Ray& x0) {
     neighbours_.clear();
     sides_.clear();

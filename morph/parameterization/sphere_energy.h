@@ -20,6 +20,12 @@ struct TriangleMetric {
 TriangleMetric triangle_metric(const Eigen::Vector3d& p0, const Eigen::Vector3d& p1,
                                const Eigen::Vector3d& p2, double eps);
 
+/// A spherical triangle of unit rays counts as valid while d > kSlimmest |b - a| |c - a| + kRounding (|b - a|
+/// + |c - a|). The second term exceeds what rounding rays to doubles changes, also after a rotation, so that
+/// the exact sign is positive too.
+constexpr double kSlimmest = 1e-12, kRounding = 1e-14;
+bool clearly_positive(const Ray& a, const Ray& b, const Ray& c);
+
 /// A vertex of a map onto the unit sphere and the triangles about it: where may it go, and at what energy?
 ///
 /// Energy  symmetric Dirichlet, per triangle E = (A Q / 8) (4 / d^2 + 1 / A^2), Q = sum_i cotangent_i l_i^2,
@@ -75,10 +81,6 @@ private:
     double radius_ = 0.0;
 };
 
-/// A triangle counts as valid while d > kSlimmest |b - a| |c - a| + kRounding (|b - a| + |c - a|). The second
-/// term exceeds what rounding rays to doubles changes, also after a rotation, so that the exact sign is
-/// positive too.
-constexpr double kSlimmest = 1e-12, kRounding = 1e-14;
 /// Longest step, as a share of the mean distance to the neighbours.
 constexpr double kLongestStep = 0.7;
 

@@ -11,6 +11,7 @@
 #include "morph/mesh/errors.h"
 #include "morph/mesh/geometry.h"
 #include "morph/parameterization/decimation.h"
+#include "morph/parameterization/sphere_border.h"
 #include "morph/parameterization/sphere_relaxation.h"
 
 namespace automorph {
@@ -43,14 +44,11 @@ Eigen::Matrix<double, 4, 3> tetrahedron() {
 /// Down and up again.
 class Embedding {
 public:
-    /// @param closed  the mesh, closed by triangles with an apex if it has a border
-    /// @param fixed   border vertices and apex; empty without border
-    /// @param surface number of triangles of the mesh itself; those with the apex follow
-    Embedding(const Mesh& closed, std::vector<char> fixed, int surface, double domain)
-        : surface_(surface),
-          fixed_(std::move(fixed)),
-          V_(scaled(closed, surface, domain)),
-          relaxation_(half_edges(closed.F, closed.vertex_count()), V_, fixed_, domain) {}
+    Embedding(const ClosedMesh& closed, double domain)
+        : surface_(closed.surface),
+          fixed_(closed.fixed),
+          V_(scaled(closed, domain)),
+          relaxation_(half_edges(closed.mesh.F, closed.mesh.vertex_count()), V_, fixed_, domain) {}
 
     /// @param fixed_rays  rows of fixed vertices are set
     Points run(const Points& fixed_rays) {
@@ -69,9 +67,9 @@ public:
     }
 
 private:
-    static Points scaled(const Mesh& mesh, int surface, double domain) {
-        const Points V = mesh.V.rowwise() - mesh.V.colwise().mean();
-        const double area = triangle_areas({V, mesh.F.topRows(surface)}).sum();
+    static Points scaled(const ClosedMesh& closed, double domain) {
+        const Points V = closed.mesh.V.rowwise() - closed.mesh.V.colwise().mean();
+        const double area = triangle_areas({V, closed.mesh.F.topRows(closed.surface)}).sum();
         if (!(area > 0.0)) {
             throw InvalidMesh(
                 "the mesh has no area: all its triangles are degenerate, no map onto the sphere exists");
@@ -182,7 +180,7 @@ SphereMap sphere_map(const Mesh& mesh) {
             "a closed mesh of genus 0 is needed, with 2 V - 4 triangles: {} vertices, {} triangles",
             mesh.vertex_count(), mesh.triangle_count()));
     }
-    return checked(mesh, Embedding(mesh, {}, mesh.triangle_count(), kSphere).run({}), kSphere);
+    return checked(mesh, Embedding(closed_with_apex(mesh, {}), kSphere).run({}), kSphere);
 }
 
 SphereMap sphere_map(const Mesh& mesh, const std::vector<int>& loop, const Points& border) {
@@ -195,21 +193,11 @@ SphereMap sphere_map(const Mesh& mesh, const std::vector<int>& loop, const Point
             vertices, triangles, n, border.rows()));
     }
     if (n == vertices) throw InvalidMesh("a disk with an inner vertex is needed: split its chords first");
-    Mesh closed{mesh.V, mesh.F};
-    closed.V.conservativeResize(vertices + 1, 3);
-    closed.V.row(vertices) = mesh.V.row(loop[0]);  // the apex is never looked at
-    closed.F.conservativeResize(triangles + n, 3);
-    std::vector<char> fixed(at(vertices + 1), 0);
-    Points rays = Points::Zero(vertices + 1, 3);
+    const ClosedMesh closed = closed_with_apex(mesh, loop);
     const Ray north(0.0, 0.0, 1.0);
+    Points rays = Points::Zero(vertices + 1, 3);
     rays.row(vertices) = -north;
-    fixed.back() = 1;
-    for (int k = 0; k < n; ++k) {
-        const int from = loop[at(k)], to = loop[at((k + 1) % n)];
-        closed.F.row(triangles + k) << to, from, vertices;
-        fixed[at(from)] = 1;
-        rays.row(from) = border.row(k);
-    }
+    for (int k = 0; k < n; ++k) rays.row(loop[at(k)]) = border.row(k);
     for (int k = 0; k < n; ++k) {
         const Ray from = border.row(k), to = border.row((k + 1) % n);
         if (orientation(north, from, to) <= 0 || orientation(-north, to, from) <= 0) {
@@ -217,9 +205,8 @@ SphereMap sphere_map(const Mesh& mesh, const std::vector<int>& loop, const Point
                 fmt::format("border places {} and {} do not follow each other round the pole", k, k + 1));
         }
     }
-    const double domain = kSphere - total_solid_angle(closed.F.bottomRows(n), rays);
-    return checked(mesh, Embedding(closed, std::move(fixed), triangles, domain).run(rays).topRows(vertices),
-                   domain);
+    const double domain = kSphere - total_solid_angle(closed.mesh.F.bottomRows(n), rays);
+    return checked(mesh, Embedding(closed, domain).run(rays).topRows(vertices), domain);
 }
 
 }  // namespace automorph

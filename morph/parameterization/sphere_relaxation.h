@@ -54,7 +54,7 @@ private:
         return !fixed_.empty() && fixed_[static_cast<std::size_t>(vertex)] != 0;
     }
 
-    const Points& V_;
+    Points V_;
     std::vector<char> fixed_, awake_;
     double domain_, scale_ = 1.0, eps_ = 0.0;  ///< scale_ of lengths
     std::vector<TriangleMetric> metric_;

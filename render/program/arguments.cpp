@@ -109,6 +109,10 @@ void add_morph(CLI::App& app, MorphArguments& arguments) {
     add_choice(*command, "--interpolation", arguments.interpolation, kInterpolations, "How vertices move");
     add_choice(*command, "--openings", arguments.options.openings, kOpenings,
                "Openings other than the border (eyes, mouth)");
+    add_choice(*command, "--domain", arguments.options.domain, kDomains,
+               "What both are mapped onto: auto is the sphere for closed meshes; for open ones the disk, or "
+               "the sphere "
+               "where the disk squeezes; cut makes two disks of closed ones");
     command->add_flag_callback(
         "--no-lift", [&arguments] { arguments.options.lift = false; },
         "Flat facets instead of curved placement");
