@@ -23,7 +23,7 @@ namespace {
 constexpr double kWidest = 0.6, kNarrowest = 0.13;
 constexpr int kLevels = 8;
 /// Relaxing sweeps after each level, and after the last.
-constexpr int kSweeps = 0, kLastSweeps = 3;
+constexpr int kSweeps = 3, kLastSweeps = 8;
 
 /// A map that is warped and relaxed.
 class WarpedMap {
