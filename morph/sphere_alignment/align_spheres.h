@@ -25,7 +25,7 @@ struct AlignedSpheres {
     double after = 0.0;     ///< and after the warp
 };
 
-/// Brings the maps of two registered shapes together on the sphere, CLOSED_SHAPES "Alignment and features".
+/// Brings the maps of two registered shapes together on the sphere.
 ///
 /// Rotation  by SVD of sum p s_a s_b^T over matches of nearest points with normals [Kabsch76]; b is turned.
 /// With a

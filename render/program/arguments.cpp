@@ -30,8 +30,7 @@ constexpr const char* kExamples = R"(Examples:
 constexpr const char* kMorphExamples = R"(Examples:
   automorph morph a.obj b.obj --frames 25 --out frames/m_.ply
   automorph morph a.obj b.obj --alignment none --interpolation linear --out plain_.ply
-Meshes: .off, .obj, .ply, .stl; both open (one border, further openings allowed) or both closed, without
-handles. Vertex i of a.obj goes to line i + 2 of the correspondence, in the coordinates of b.obj.)";
+Meshes: .off, .obj, .ply, .stl; open (one border, further openings allowed) or closed, without handles. Vertex i of a.obj goes to line i + 2 of the correspondence, in the coordinates of b.obj.)";
 
 constexpr const char* kFigureExamples = R"(Examples:
   automorph figure configs/fig7.yaml
