@@ -3,20 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "morph/alignment/guide.h"
-#include "morph/overlay/overlay.h"
+#include "morph/merge_maps.h"
 #include "morph/parameterization/border.h"
-#include "morph/report.h"
-#include "morph/stage_clock.h"
 
 namespace automorph {
-
-/// One of the two shapes of a morph: where merged vertices are placed.
-struct Shape {
-    Mesh mesh;       ///< openings filled
-    Points normals;  ///< #V x 3 unit vertex normals of the unfilled surface; zero at the centres of fillings
-    int own_vertices;  ///< vertices beyond these are centres of fillings
-};
 
 /// A disk of a shape: the whole of an open one, or one half of a closed one.
 struct Disk {
@@ -25,26 +15,24 @@ struct Disk {
     std::vector<Site> sites;  ///< per vertex: where it lies on the shape
 };
 
-/// Two disks with one connectivity.
-struct MergedDisks {
-    Triangles F;                   ///< merged triangles
-    std::vector<Site> on_a, on_b;  ///< per merged vertex: its place on shape a, on shape b
-    std::vector<int> border;       ///< merged vertices of the border, counter-clockwise; [k] is the union's k
-    std::vector<char> in_filling;  ///< per merged triangle: it lies in a filled opening of either shape
+/// Two disks with the same border polygon, not yet mapped.
+struct BorderedDisks {
+    MappedPart a, b;
+    Eigen::VectorXd angles;  ///< #border, radians
 };
 
-/// Merged vertices at their places on a shape, #sites x 3: curved by Eq. (9)-(11), or on the flat facets.
-Points place_on(const Shape& shape, const std::vector<Site>& sites, bool curved);
+/// Border insertion, [Urtasun04] Sec. 4.2 and Fig. 3.
+BorderedDisks border_disks(const Disk& a, const Disk& b, const BorderUnion& border);
 
-/// [Urtasun04] Sec. 3 for two disks whose borders are known to correspond: border insertion, maps, overlay,
-/// triangulation. Adds its maps, overlay and stages to the report.
-/// @param guide  where an alignment puts the vertices of shape a; the disks must be whole shapes then.
-/// nullptr: a
-///               has a map of its own
-/// @param label  " half 1" or "": tells the disks of one morph apart in the report
-/// @throws SolverFailure a stage found no valid answer
-MergedDisks merge_disks(const Shape& shape_a, const Disk& a, const Shape& shape_b, const Disk& b,
-                        const BorderUnion& border, const Guide* guide, bool curved, const std::string& label,
-                        Report& report);
+/// Below this p01 a disk map squeezes part of a shape to nothing, and both shapes go onto the sphere.
+constexpr double kLeastDiskQuality = 0.1;
+
+/// Maps both onto the unit disk, [Urtasun04] Sec. 3, and adds the maps to the report.
+/// @throws SolverFailure  a map flips triangles whatever its weights
+void map_onto_disk(BorderedDisks& disks, const std::string& label, Report& report);
+
+/// The same with the paper's harmonic map alone: empty if it did, else why it is not good enough for one of
+/// the shapes (a flip, or p01 below kLeastDiskQuality); nothing is reported then.
+std::string try_harmonic_disk(BorderedDisks& disks, Report& report);
 
 }  // namespace automorph

@@ -9,14 +9,18 @@
 #include "morph/alignment/border_places.h"
 #include "morph/alignment/guide.h"
 #include "morph/cut/cut.h"
+#include "morph/follow.h"
 #include "morph/merge_disks.h"
+#include "morph/merge_spheres.h"
 #include "morph/mesh/admit.h"
 #include "morph/mesh/connectivity.h"
 #include "morph/mesh/errors.h"
 #include "morph/mesh/geometry.h"
 #include "morph/overlay/lift.h"
 #include "morph/parameterization/fill.h"
+#include "morph/parameterization/map_quality.h"
 #include "morph/registration/registration.h"
+#include "morph/stage_clock.h"
 
 namespace automorph {
 
@@ -66,18 +70,14 @@ public:
     }
 
     void run() {
-        if (source_.report.closed != target_.report.closed) {
-            throw InvalidMesh(
-                fmt::format("{} is {} and {} is {}: both must be open or both closed; cut an opening into "
-                            "the closed one or close the other",
-                            source_.report.name, source_.report.closed ? "closed" : "open",
-                            target_.report.name, target_.report.closed ? "closed" : "open"));
-        }
+        require_domain();
         if (registers()) register_shapes();
-        if (source_.report.closed) {
-            merge_closed();
-        } else {
+        if (!source_.report.closed && !target_.report.closed) {
             merge_open();
+        } else if (options_.domain == Domain::Cut) {
+            merge_cut();
+        } else {
+            merge_on_sphere();
         }
         place_ends();
     }
@@ -88,6 +88,19 @@ public:
 
 private:
     bool registers() const { return options_.alignment != Alignment::None; }
+
+    void require_domain() const {
+        const bool a = source_.report.closed, b = target_.report.closed;
+        const bool fits = options_.domain == Domain::Disk  ? !a && !b
+                          : options_.domain == Domain::Cut ? a && b
+                                                           : true;
+        if (fits) return;
+        const bool disk = options_.domain == Domain::Disk;
+        throw InvalidMesh(
+            fmt::format("{} is {} and {} is {}: the domain '{}' is for two {} shapes; choose auto or sphere",
+                        source_.report.name, a ? "closed" : "open", target_.report.name,
+                        b ? "closed" : "open", disk ? "disk" : "cut", disk ? "open" : "closed"));
+    }
 
     /// Sec. 4.1.
     void register_shapes() {
@@ -104,7 +117,6 @@ private:
 
     /// Sec. 4.2: the longest loop is the border; further openings are filled for the map.
     void merge_open() {
-        report_.domain = "disk";
         Mesh target_mesh = target_.mesh;
         std::vector<std::vector<int>> source_loops = loops(source_.mesh), target_loops = loops(target_mesh);
         BorderControl control;  // Section 3 alone: an arbitrary start, the mesh's own direction
@@ -128,35 +140,108 @@ private:
         target_shape_ = open_shape(target_mesh, target_loops, target_centres);
         const Disk a = whole(source_shape_, source_loops[0]), b = whole(target_shape_, target_loops[0]);
         BorderUnion border = border_union(loop_points(a), loop_points(b), control);
-        std::optional<Guide> guide;
-        if (options_.alignment == Alignment::Dense) {
-            guide = align_open({source_.mesh, source_loops, source_centres},
-                               {target_mesh, target_loops, target_centres}, border);
+        align_shapes({source_.mesh, source_loops, source_centres},
+                     {target_mesh, target_loops, target_centres}, &border);
+        BorderedDisks disks = border_disks(a, b, border);
+        if (onto_disk(disks)) {
+            report_.domain = "disk";
+            if (guide_ && follow(*guide_, disks.a, target_shape_, disks.b, MapDomain::Disk, report_)) {
+                report_.maps.front() = aligned_map_report(disks.a);
+            }
+            merged_ = merge_maps(source_shape_, disks.a, target_shape_, std::move(disks.b), options_.lift, "",
+                                 report_);
+        } else {
+            report_.domain = "sphere, border locked";
+            merged_ = merge_locked_spheres(source_shape_, target_shape_, disks, sphere_options(), report_);
         }
-        merged_ = merge_disks(source_shape_, a, target_shape_, b, border, guide ? &*guide : nullptr,
-                              options_.lift, "", report_);
         open_fillings();
     }
 
-    /// The dense alignment; it places the source's border too. Empty where that leads nowhere.
-    std::optional<Guide> align_open(const AlignedShape& source, const AlignedShape& target,
-                                    BorderUnion& border) {
+    /// The dense alignment, if asked for; it places the source's border, if there is one, on the target's.
+    void align_shapes(const AlignedShape& source, const AlignedShape& target, BorderUnion* border) {
+        if (options_.alignment != Alignment::Dense) return;
         const StageClock clock(report_, "alignment");
-        Guide guide = align(source, registration_.apply(source.mesh.V), target);
-        report_.alignment.distance = guide.distance;
-        const auto aligned =
-            aligned_border(guide.x(source.loops[0], Eigen::all), target.mesh.V(target.loops[0], Eigen::all));
-        if (!aligned) {
+        guide_ = align(source, registration_.apply(source.mesh.V), target);
+        report_.alignment.distance = guide_->distance;
+        if (!border) return;
+        auto aligned = aligned_border(guide_->x(source.loops[0], Eigen::all),
+                                      target.mesh.V(target.loops[0], Eigen::all));
+        if (aligned) {
+            *border = std::move(*aligned);
+        } else {
+            guide_.reset();
             report_.notes.push_back(
-                "the alignment was given up: the source's border does not run once around the target's");
-            return std::nullopt;
+                "the alignment was given up: the source's border does not run once around "
+                "the target's");
         }
-        border = *aligned;
-        return guide;
+    }
+
+    static MapReport aligned_map_report(const MappedPart& part) {
+        const MapQuality quality = map_quality(part.mesh, part.rays);
+        MapReport map;
+        map.of = "source";
+        map.weights = "aligned";
+        map.p01 = quality.p01;
+        map.smallest_ratio = quality.smallest_ratio;
+        map.flipped = quality.flipped;
+        return map;
+    }
+
+    /// Maps an open pair onto the disk if it is to go there. False: onto the sphere.
+    bool onto_disk(BorderedDisks& disks) {
+        if (options_.domain == Domain::Sphere) return false;
+        if (options_.domain == Domain::Disk) {
+            map_onto_disk(disks, "", report_);
+            return true;
+        }
+        const std::string reason = try_harmonic_disk(disks, report_);
+        if (reason.empty()) return true;
+        report_.notes.push_back("mapped onto the sphere with the border locked: " + reason);
+        return false;
+    }
+
+    SphereOptions sphere_options() const {
+        return {.registration = registers() ? &registration_ : nullptr,
+                .guide = guide_ ? &*guide_ : nullptr,
+                .curved = options_.lift,
+                .seed = options_.seed};
+    }
+
+    /// Closed shapes; an open one beside a closed one is capped.
+    void merge_on_sphere() {
+        report_.domain = "sphere";
+        source_shape_ = source_.report.closed ? closed_shape(source_.mesh) : capped_shape(source_);
+        target_shape_ = target_.report.closed ? closed_shape(target_.mesh) : capped_shape(target_);
+        align_closed();
+        merged_ = merge_spheres(source_shape_, target_shape_, sphere_options(), report_);
+        open_fillings();
+    }
+
+    /// Both as wholes without borders. A capped one is left to the warp of the spheres.
+    void align_closed() {
+        if (!source_.report.closed || !target_.report.closed) return;
+        const std::vector<std::vector<int>> no_loops;
+        const std::vector<int> no_centres;
+        align_shapes({source_.mesh, no_loops, no_centres}, {target_.mesh, no_loops, no_centres}, nullptr);
+    }
+
+    /// All openings filled, the border too, and facing outwards.
+    Shape capped_shape(const InputMesh& input) {
+        report_.notes.push_back(fmt::format(
+            "{} is open and the other shape is closed: it was capped for the map", input.report.name));
+        const std::vector<std::vector<int>> all_loops = loops(input.mesh);
+        Mesh mesh = input.mesh;
+        if (signed_volume(fill_openings(mesh, all_loops).mesh) < 0.0) {
+            mesh.F.col(1).swap(mesh.F.col(2));
+            report_.notes.push_back(
+                fmt::format("{} faced inwards: its triangles were turned", input.report.name));
+        }
+        std::vector<int> centres;
+        return filled_shape(mesh, loops(mesh), centres);
     }
 
     /// Sec. 6: a plane cuts both shapes into halves that share the cut as border.
-    void merge_closed() {
+    void merge_cut() {
         report_.domain = "cut into two disks";
         source_shape_ = closed_shape(source_.mesh);
         target_shape_ = closed_shape(target_.mesh);
@@ -179,10 +264,15 @@ private:
         const Disk a0 = half(source_cut, 0), a1 = half(source_cut, 1), b0 = half(target_cut, 0),
                    b1 = half(target_cut, 1);
         const BorderUnion border = border_union(loop_points(a0), loop_points(b0), control);
-        const MergedDisks first = merge_disks(source_shape_, a0, target_shape_, b0, border, nullptr,
-                                              options_.lift, " half 1", report_);
-        const MergedDisks second = merge_disks(source_shape_, a1, target_shape_, b1, mirrored(border),
-                                               nullptr, options_.lift, " half 2", report_);
+        const auto merged_half = [&](const Disk& a, const Disk& b, const BorderUnion& shared,
+                                     const std::string& label) {
+            BorderedDisks disks = border_disks(a, b, shared);
+            map_onto_disk(disks, label, report_);
+            return merge_maps(source_shape_, disks.a, target_shape_, std::move(disks.b), options_.lift, label,
+                              report_);
+        };
+        const MergedPair first = merged_half(a0, b0, border, " half 1");
+        const MergedPair second = merged_half(a1, b1, mirrored(border), " half 2");
         merged_ = glue(first, second);
     }
 
@@ -192,15 +282,21 @@ private:
 
     static Points loop_points(const Disk& disk) { return disk.mesh.V(disk.loop, Eigen::all); }
 
+    /// All openings but the border are filled.
     static Shape open_shape(const Mesh& mesh, const std::vector<std::vector<int>>& all_loops,
                             std::vector<int>& centres) {
+        return filled_shape(mesh, {all_loops.begin() + 1, all_loops.end()}, centres);
+    }
+
+    /// @param centres  set to the centres of the fillings, one per opening
+    static Shape filled_shape(const Mesh& mesh, const std::vector<std::vector<int>>& openings,
+                              std::vector<int>& centres) {
         Shape shape{mesh, vertex_normals(mesh), mesh.vertex_count()};
-        if (all_loops.size() > 1) {
-            FilledMesh filled = fill_openings(mesh, {all_loops.begin() + 1, all_loops.end()});
-            shape.mesh = std::move(filled.mesh);
-            centres = std::move(filled.centres);
-            shape.normals.conservativeResizeLike(Points::Zero(shape.mesh.vertex_count(), 3));
-        }
+        if (openings.empty()) return shape;
+        FilledMesh filled = fill_openings(mesh, openings);
+        shape.mesh = std::move(filled.mesh);
+        centres = std::move(filled.centres);
+        shape.normals.conservativeResizeLike(Points::Zero(shape.mesh.vertex_count(), 3));
         return shape;
     }
 
@@ -227,8 +323,8 @@ private:
     }
 
     /// Two merged halves share their border: vertex k of the first is vertex (n - k) mod n of the second.
-    static MergedDisks glue(const MergedDisks& first, const MergedDisks& second) {
-        MergedDisks all = first;
+    static MergedPair glue(const MergedPair& first, const MergedPair& second) {
+        MergedPair all = first;
         std::vector<int> vertex(second.on_a.size(), -1);
         const std::size_t n = first.border.size();
         for (std::size_t k = 0; k < n; ++k) {
@@ -304,8 +400,9 @@ private:
     const MorphOptions& options_;
     Report& report_;
     Registration registration_;
+    std::optional<Guide> guide_;  ///< of the dense alignment
     Shape source_shape_, target_shape_;
-    MergedDisks merged_;
+    MergedPair merged_;
 };
 
 }  // namespace

@@ -30,9 +30,18 @@ enum class Openings {
     Fill,    ///< they stay
 };
 
+/// What both shapes are mapped onto.
+enum class Domain {
+    Auto,    ///< closed: the sphere; open: the disk, or the sphere where the disk map squeezes or flips
+    Disk,    ///< Section 3; open shapes only
+    Sphere,  ///< of open shapes, the border is locked on a circle of latitude
+    Cut,     ///< Section 6: closed shapes are cut into two disks
+};
+
 struct MorphOptions {
     Alignment alignment = Alignment::Dense;
     Openings openings = Openings::Reopen;
+    Domain domain = Domain::Auto;
     bool lift = true;  ///< curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise
     std::uint64_t seed = 1;
 };
@@ -72,8 +81,9 @@ private:
     Report report_;
 };
 
-/// Computes the morph of a pair. Both meshes open (disks, further openings allowed) or both closed.
-/// @throws InvalidMesh   the pair cannot be morphed: one open and one closed
+/// Computes the morph of a pair. Open meshes (disks, further openings allowed) and closed ones; where one is
+/// open and the other closed, the open one is capped for the map, and the cap opened again.
+/// @throws InvalidMesh   the pair cannot be mapped onto the domain asked for
 /// @throws SolverFailure a stage found no valid answer; the message names it
 Morph morph(const InputMesh& source, const InputMesh& target, const MorphOptions& options = {});
 

@@ -53,6 +53,13 @@ Json json(const OverlayReport& overlay) {
             {"zero_area_a", overlay.zero_area_a}, {"zero_area_b", overlay.zero_area_b}};
 }
 
+Json json(const SphereAlignmentReport& alignment) {
+    return {{"matches", alignment.matches},
+            {"before", alignment.before},
+            {"rotated", alignment.rotated},
+            {"after", alignment.after}};
+}
+
 Json json(const StageReport& stage) {
     return {{"name", stage.name}, {"seconds", stage.seconds}, {"peak_memory_mb", stage.peak_memory_mb}};
 }
@@ -72,6 +79,7 @@ std::string report_json(const Report& report) {
                        {"registration", json(report.registration)},
                        {"alignment", json(report.alignment)},
                        {"domain", report.domain},
+                       {"sphere_alignment", json(report.sphere_alignment)},
                        {"target_reversed", report.target_reversed},
                        {"maps", json(report.maps)},
                        {"overlays", json(report.overlays)},

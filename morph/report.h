@@ -37,8 +37,8 @@ struct AlignmentReport {
 /// One map onto the domain.
 struct MapReport {
     std::string of;       ///< "source", "target", "source half 1", ...
-    std::string weights;  ///< "cotangent", "mean value", "uniform", "aligned"
-    std::string reason;   ///< why not cotangent; empty otherwise
+    std::string weights;  ///< "cotangent", "mean value", "uniform"; "progressive" on the sphere; "aligned"
+    std::string reason;   ///< why not the first choice; empty otherwise
     int flipped = 0;      ///< by the exact predicate; 0 always, or the morph fails
     double p01 = 0, smallest_ratio = 0, residual = 0;
 };
@@ -58,6 +58,13 @@ struct StageReport {
     double peak_memory_mb = 0;  ///< of the process, at the end of the stage
 };
 
+/// How two maps onto the sphere were brought together; angles are weighted means over matched points,
+/// radians.
+struct SphereAlignmentReport {
+    int matches = 0;  ///< pairs of surface points; 0: not aligned
+    double before = 0, rotated = 0, after = 0;
+};
+
 /// Everything a morph says about itself. Serialised by report_json().
 struct Report {
     MeshReport source, target;
@@ -65,7 +72,8 @@ struct Report {
     AlignmentReport alignment;
     std::vector<MapReport> maps;
     std::vector<OverlayReport> overlays;  ///< one, or one per half
-    std::string domain;                   ///< "disk" or "cut into two disks"
+    std::string domain;  ///< "disk", "cut into two disks", "sphere" or "sphere, border locked"
+    SphereAlignmentReport sphere_alignment;
     bool target_reversed =
         false;  ///< the target's border ran the other way, Eq. (8): its triangles were turned
     int reopened_triangles = 0;      ///< merged triangles removed because they lie in filled openings

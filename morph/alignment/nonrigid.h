@@ -28,8 +28,8 @@ struct NonRigidOptions {
 
 /// A smooth motion of the source onto the target.
 struct NonRigidAlignment {
-    Points x;         ///< #V x 3: where each source vertex has come, in the target's frame
-    double distance;  ///< root mean square distance of matches from x at the end, in target diagonals
+    Points x;               ///< #V x 3: where each source vertex has come, in the target's frame
+    double distance = 0.0;  ///< root mean square distance of matches from x at the end, in target diagonals
     int factorisations = 0, iterations = 0;
 };
 

@@ -159,7 +159,7 @@ DiskMap disk_map(const Mesh& mesh, const std::vector<int>& loop, const Points& b
     DiskMap map, fewest;
     fewest.quality.flipped = std::numeric_limits<int>::max();
     for (const MapWeights kind : {MapWeights::Cotangent, MapWeights::MeanValue, MapWeights::Uniform}) {
-        if (kind < options.first) continue;
+        if (kind < options.first || (kind > options.first && !options.fallbacks)) continue;
         const WeightMatrix weights = weight_matrix(mesh, unknowns.row, unknowns.count, kind);
         auto solution = solve(weights, unknowns, start, kind);
         if (!solution) {
@@ -180,7 +180,7 @@ DiskMap disk_map(const Mesh& mesh, const std::vector<int>& loop, const Points& b
         if (map.quality.flipped < fewest.quality.flipped) fewest = map;
     }
 
-    if (fewest.rays.rows() > 0) {
+    if (options.fallbacks && fewest.rays.rows() > 0) {
         std::vector<char> fixed(static_cast<std::size_t>(mesh.vertex_count()));
         for (std::size_t v = 0; v < fixed.size(); ++v) fixed[v] = unknowns.row[v] < 0 ? 1 : 0;
         RepairedMap repaired = repair_map(mesh, fixed, fewest.rays);

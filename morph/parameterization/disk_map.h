@@ -22,6 +22,8 @@ struct DiskMap {
 
 struct DiskMapOptions {
     MapWeights first = MapWeights::Cotangent;  ///< the weights to start from
+    bool fallbacks =
+        true;  ///< other weights and repair where the first flip a triangle; otherwise SolverFailure
 };
 
 /// Harmonic map of Sec. 3, Eq. (1)-(2) [Eck95], with the border fixed at `border` (#loop x 3, a strictly

@@ -15,6 +15,14 @@ struct MapQuality {
 /// @param rays  #V x 3, (x, y, 1)
 MapQuality map_quality(const Mesh& mesh, const Points& rays);
 
+/// Measures a map onto the sphere, or a part of it: areas of the domain are solid angles.
+/// @param rays  #V x 3, of any length
+MapQuality sphere_map_quality(const Mesh& mesh, const Points& rays);
+
+/// Sum of the signed solid angles of triangles, each in (-2 pi, 2 pi]: 4 pi for each time the sphere is
+/// covered.
+double total_solid_angle(const Triangles& F, const Points& rays);
+
 /// Triangles with det <= 0, by the exact predicate; for any rays.
 int flipped_triangles(const Triangles& F, const Points& rays);
 

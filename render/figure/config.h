@@ -44,6 +44,7 @@ struct RowConfig {
     Alignment alignment = Alignment::Registration;
     Interpolation interpolation = Interpolation::Slerp;
     Openings openings = Openings::Reopen;
+    Domain domain = Domain::Auto;
     bool lift = true;
 };
 

@@ -101,6 +101,11 @@ Section<RowConfig> row_section() {
                "how vertices move: Eq. (12), (13) or (14)"),
         choice("openings", &R::openings, kOpenings,
                "what happens to openings other than the border (eyes, mouth)"),
+        choice("domain", &R::domain, kDomains,
+               "what both shapes are mapped onto: the disk (Section 3) or the sphere; cut makes two disks of "
+               "closed "
+               "shapes (Section 6); auto takes the sphere for closed shapes and where the disk map squeezes "
+               "open ones"),
         flag("lift", &R::lift, "curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise"),
     };
     return table;

@@ -26,6 +26,7 @@ Json row_json(const FigureRow& row, std::size_t index) {
             {"alignment", name_of(kAlignments, row.config.alignment)},
             {"interpolation", name_of(kInterpolations, row.config.interpolation)},
             {"openings", name_of(kOpenings, row.config.openings)},
+            {"domain", name_of(kDomains, row.config.domain)},
             {"lift", row.config.lift},
             {"morph", row.morph},
             {"cells", cells}};

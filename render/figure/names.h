@@ -23,6 +23,9 @@ inline constexpr std::array kInterpolations{Named<Interpolation>{"linear", Inter
                                             Named<Interpolation>{"slerp", Interpolation::Slerp}};
 inline constexpr std::array kOpenings{Named<Openings>{"reopen", Openings::Reopen},
                                       Named<Openings>{"fill", Openings::Fill}};
+inline constexpr std::array kDomains{Named<Domain>{"auto", Domain::Auto}, Named<Domain>{"disk", Domain::Disk},
+                                     Named<Domain>{"sphere", Domain::Sphere},
+                                     Named<Domain>{"cut", Domain::Cut}};
 inline constexpr std::array kNormals{Named<render::Normals>{"smooth", render::Normals::Smooth},
                                      Named<render::Normals>{"flat", render::Normals::Flat}};
 

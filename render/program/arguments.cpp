@@ -30,8 +30,7 @@ constexpr const char* kExamples = R"(Examples:
 constexpr const char* kMorphExamples = R"(Examples:
   automorph morph a.obj b.obj --frames 25 --out frames/m_.ply
   automorph morph a.obj b.obj --alignment none --interpolation linear --out plain_.ply
-Meshes: .off, .obj, .ply, .stl; both open (one border, further openings allowed) or both closed, without
-handles. Vertex i of a.obj goes to line i + 2 of the correspondence, in the coordinates of b.obj.)";
+Meshes: .off, .obj, .ply, .stl; open (one border, further openings allowed) or closed, without handles. Vertex i of a.obj goes to line i + 2 of the correspondence, in the coordinates of b.obj.)";
 
 constexpr const char* kFigureExamples = R"(Examples:
   automorph figure configs/fig7.yaml
@@ -109,6 +108,10 @@ void add_morph(CLI::App& app, MorphArguments& arguments) {
     add_choice(*command, "--interpolation", arguments.interpolation, kInterpolations, "How vertices move");
     add_choice(*command, "--openings", arguments.options.openings, kOpenings,
                "Openings other than the border (eyes, mouth)");
+    add_choice(*command, "--domain", arguments.options.domain, kDomains,
+               "What both are mapped onto: auto is the sphere for closed meshes; for open ones the disk, or "
+               "the sphere "
+               "where the disk squeezes; cut makes two disks of closed ones");
     command->add_flag_callback(
         "--no-lift", [&arguments] { arguments.options.lift = false; },
         "Flat facets instead of curved placement");

@@ -80,6 +80,18 @@ Mesh with_opening(const Mesh& mesh, double x, double y, double radius) {
     return open;
 }
 
+/// Removes the triangles with a corner above the height z, and vertices that nothing uses.
+Mesh with_opening_above(const Mesh& mesh, double z) {
+    Mesh open = mesh;
+    int kept = 0;
+    for (int f = 0; f < mesh.triangle_count(); ++f) {
+        if (std::max({mesh.V(mesh.F(f, 0), 2), mesh.V(mesh.F(f, 1), 2), mesh.V(mesh.F(f, 2), 2)}) <= z)
+            open.F.row(kept++) = mesh.F.row(f);
+    }
+    open.F.conservativeResize(kept, 3);
+    return admit_mesh(open).mesh;
+}
+
 /// Every vertex of the input is a vertex of the merged shape, bit for bit.
 void check_holds_vertices(const Points& merged, const Mesh& input) {
     std::set<std::array<double, 3>> places;
@@ -143,23 +155,95 @@ TEST_CASE("lifting keeps every input vertex at its place") {
     check_holds_vertices(result.frame(1), target.mesh);
 }
 
-TEST_CASE("a closed pair, cut and glued again, is watertight and reproduces both inputs") {
+TEST_CASE(
+    "a closed pair is watertight and reproduces both inputs, by way of the sphere or cut and glued again") {
     const InputMesh source = admit_mesh(ellipsoid({1.0, 0.7, 0.5}, {.triangles = 900, .seed = 3}));
     const InputMesh target =
         admit_mesh(star({}, {.triangles = 1100, .seed = 4, .rotation = kTurn, .translation = {2, 0, 1}}));
-    for (const Alignment alignment : {Alignment::Registration, Alignment::None}) {
-        const Morph result = morph(source, target, {.alignment = alignment, .lift = false});
-        check_reproduces_both(result, source.mesh, target.mesh);
-        CHECK(unmatched_edges(result.triangles()) == 0);
-        const Connectivity topology =
-            connectivity(result.triangles(), static_cast<int>(result.frame(0).rows()));
-        CHECK(euler_characteristic(topology) == 2);
-        CHECK(result.report().registration.used == (alignment == Alignment::Registration));
-        CHECK(result.report().overlays.size() == 2);
+    for (const Domain domain : {Domain::Auto, Domain::Cut}) {
+        const std::string expected = domain == Domain::Cut ? "cut into two disks" : "sphere";
+        for (const Alignment alignment : {Alignment::Registration, Alignment::None}) {
+            const Morph result =
+                morph(source, target, {.alignment = alignment, .domain = domain, .lift = false});
+            check_reproduces_both(result, source.mesh, target.mesh);
+            CHECK(unmatched_edges(result.triangles()) == 0);
+            const Connectivity topology =
+                connectivity(result.triangles(), static_cast<int>(result.frame(0).rows()));
+            CHECK(euler_characteristic(topology) == 2);
+            CHECK(result.report().registration.used == (alignment == Alignment::Registration));
+            CHECK(result.report().domain == expected);
+            CHECK(result.report().overlays.size() == (domain == Domain::Cut ? 2 : 1));
+            CHECK((result.report().sphere_alignment.matches > 0) ==
+                  (domain != Domain::Cut && alignment == Alignment::Registration));
+        }
+        const Morph lifted = morph(source, target, {.domain = domain});
+        check_holds_vertices(lifted.frame(0), source.mesh);
+        CHECK(unmatched_edges(lifted.triangles()) == 0);
     }
-    const Morph lifted = morph(source, target);
-    check_holds_vertices(lifted.frame(0), source.mesh);
-    CHECK(unmatched_edges(lifted.triangles()) == 0);
+}
+
+TEST_CASE("closed shapes in any position correspond on the sphere") {
+    const StarParameters parameters;
+    const Mesh a = star(parameters, {.triangles = 2500, .seed = 1});
+    const Mesh b = star(parameters, {.triangles = 2000, .seed = 2});
+    // Lopsided, so that only one pose fits.
+    const auto lopsided = [](Mesh mesh) {
+        for (int v = 0; v < mesh.vertex_count(); ++v) {
+            mesh.V(v, 0) += 0.4 * mesh.V(v, 0) * mesh.V(v, 0) + 0.2 * mesh.V(v, 1) * mesh.V(v, 1);
+            mesh.V(v, 2) += 0.5 * mesh.V(v, 1) * mesh.V(v, 0);
+        }
+        return mesh;
+    };
+    const Morph result =
+        morph(admit_mesh(lopsided(a)), admit_mesh(moved(lopsided(b), kTurn, {3, -2, 5}, 2.5)));
+    const double diagonal = 2.5 * bounding_box_diagonal(b.V);
+    const Points truth = moved(lopsided(a), kTurn, {3, -2, 5}, 2.5).V;
+    const double error = (result.correspondence() - truth).rowwise().norm().mean() / diagonal;
+    CHECK(error < 0.01);
+}
+
+TEST_CASE(
+    "an open pair that the disk squeezes goes to the sphere with its border locked, and the report says "
+    "why") {
+    // Balls with a small opening: nearly all of the surface is far from the border.
+    const auto ball = [](double size, int triangles, std::uint64_t seed, double bump) {
+        Mesh mesh = ellipsoid({1, 0.9, 0.8}, {.triangles = triangles, .seed = seed});
+        for (int v = 0; v < mesh.vertex_count(); ++v) mesh.V(v, 0) += bump * mesh.V(v, 1) * mesh.V(v, 1);
+        return with_opening_above(mesh, size);
+    };
+    const InputMesh source = admit_mesh(ball(0.73, 2000, 1, 0.3)),
+                    target = admit_mesh(moved(ball(0.73, 1700, 2, 0.2), kTurn, {1, 2, 3}));
+    const Morph result = morph(source, target, {.lift = false});
+    CHECK(result.report().domain == "sphere, border locked");
+    REQUIRE(!result.report().notes.empty());
+    CHECK(result.report().notes.back().find("p01") != std::string::npos);
+    check_reproduces_both(result, source.mesh, target.mesh);
+    const Connectivity topology = connectivity(result.triangles(), static_cast<int>(result.frame(0).rows()));
+    CHECK(euler_characteristic(topology) == 1);
+    CHECK(boundary_loops(result.mesh(0), topology).size() == 1);
+    for (const MapReport& map : result.report().maps) CHECK(map.p01 > 0.1);
+
+    const Morph disk = morph(source, target, {.domain = Domain::Disk, .lift = false});
+    CHECK(disk.report().domain == "disk");
+    check_reproduces_both(disk, source.mesh, target.mesh);
+    CHECK(disk.report().maps.at(0).p01 < 0.1);
+}
+
+TEST_CASE("a good disk map keeps an open pair on the disk, unless the sphere is asked for") {
+    const InputMesh source = admit_mesh(dome(10, 0.5, 0.0)), target = admit_mesh(dome(11, 0.3, 0.3));
+    CHECK(morph(source, target).report().domain == "disk");
+    const Morph result = morph(source, target, {.domain = Domain::Sphere, .lift = false});
+    CHECK(result.report().domain == "sphere, border locked");
+    check_reproduces_both(result, source.mesh, target.mesh);
+}
+
+TEST_CASE("a domain that does not fit is refused with a reason") {
+    const InputMesh open = admit_mesh(dome(5, 0.5, 0.0), "dome"),
+                    closed = admit_mesh(ellipsoid({1, 1, 1}, {.triangles = 200}), "ball");
+    CHECK_THROWS_AS(morph(open, open, {.domain = Domain::Cut}), InvalidMesh);
+    CHECK_THROWS_AS(morph(closed, closed, {.domain = Domain::Disk}), InvalidMesh);
+    CHECK_THROWS_AS(morph(open, closed, {.domain = Domain::Disk}), InvalidMesh);
+    CHECK_THROWS_AS(morph(closed, open, {.domain = Domain::Cut}), InvalidMesh);
 }
 
 TEST_CASE("a shape and its turned copy correspond, and slerp frames are rigid copies") {
@@ -227,11 +311,27 @@ TEST_CASE("the correspondence follows the file's vertices, unused ones too") {
               .maxCoeff() < 1e-5);
 }
 
-TEST_CASE("one open and one closed mesh are refused with a reason") {
-    const InputMesh open = admit_mesh(dome(5, 0.5, 0.0), "dome"),
-                    closed = admit_mesh(ellipsoid({1, 1, 1}, {.triangles = 200}), "ball");
-    CHECK_THROWS_AS(morph(open, closed), InvalidMesh);
-    CHECK_THROWS_AS(morph(closed, open), InvalidMesh);
+TEST_CASE("an open shape beside a closed one is capped for the map, and the cap is opened again") {
+    const Mesh ball = ellipsoid({1, 0.9, 0.8}, {.triangles = 1200});
+    Mesh cup = with_opening_above(ellipsoid({1, 0.9, 0.8}, {.triangles = 1000, .seed = 5}), 0.3);
+    const InputMesh closed = admit_mesh(ball, "ball");
+    for (const bool inwards : {false, true}) {
+        if (inwards) cup.F.col(1).swap(cup.F.col(2));
+        const InputMesh open = admit_mesh(cup, "cup");
+        for (const bool open_first : {true, false}) {
+            const Morph result =
+                open_first ? morph(open, closed, {.lift = false}) : morph(closed, open, {.lift = false});
+            CHECK(result.report().domain == "sphere");
+            CHECK(result.report().reopened_triangles > 0);
+            const Mesh merged = result.mesh(open_first ? 0 : 1);
+            CHECK(triangle_areas(merged).sum() == Approx(triangle_areas(cup).sum()).epsilon(1e-9));
+            check_holds_vertices(merged.V, cup);
+            const auto loops = boundary_loops(merged, connectivity(merged.F, merged.vertex_count()));
+            CHECK(loops.size() == 1);
+            const Morph filled = morph(open, closed, {.openings = Openings::Fill});
+            CHECK(unmatched_edges(filled.triangles()) == 0);
+        }
+    }
 }
 
 TEST_CASE("the same input gives the same morph, and the report says what was done") {

@@ -88,7 +88,7 @@ target:
   shape: ellipsoid
   semi_axes: [1, 2, 3]
 rows:
-  - {label: first, alignment: none, interpolation: linear, openings: fill, lift: false}
+  - {label: first, alignment: none, interpolation: linear, openings: fill, domain: cut, lift: false}
   - {label: second, alignment: registration, interpolation: rigid-linear}
 alphas: [0, 1/3, 0.5, 1]
 seed: 7
@@ -112,6 +112,8 @@ picture: {width: 100, height: 120, spp: 9, seed: 3, view: [1, 0, 0], up: [0, 0, 
     CHECK(figure.rows[0].alignment == Alignment::None);
     CHECK(figure.rows[0].interpolation == Interpolation::Linear);
     CHECK(figure.rows[0].openings == Openings::Fill);
+    CHECK(figure.rows[0].domain == Domain::Cut);
+    CHECK(figure.rows[1].domain == Domain::Auto);
     CHECK_FALSE(figure.rows[0].lift);
     CHECK(figure.rows[1].interpolation == Interpolation::RigidLinear);
     CHECK(figure.alphas == std::vector<double>{0, 1.0 / 3, 0.5, 1});

@@ -128,6 +128,8 @@ TEST_CASE("the command line arrives in full") {
                                                    "none",
                                                    "--interpolation",
                                                    "rigid-linear",
+                                                   "--domain",
+                                                   "sphere",
                                                    "--no-lift",
                                                    "--openings",
                                                    "fill",
@@ -141,6 +143,7 @@ TEST_CASE("the command line arrives in full") {
     CHECK(morph.report == fs::path("r.json"));
     CHECK(morph.options.alignment == Alignment::None);
     CHECK(morph.interpolation == Interpolation::RigidLinear);
+    CHECK(morph.options.domain == Domain::Sphere);
     CHECK_FALSE(morph.options.lift);
     CHECK(morph.options.openings == Openings::Fill);
     CHECK(morph.options.seed == 77);
@@ -149,6 +152,7 @@ TEST_CASE("the command line arrives in full") {
     CHECK(plain.frames == 5);
     CHECK(plain.options.alignment == Alignment::Dense);
     CHECK(plain.interpolation == Interpolation::Slerp);
+    CHECK(plain.options.domain == Domain::Auto);
     CHECK(plain.options.lift);
 
     const auto figure = command_of<FigureArguments>(

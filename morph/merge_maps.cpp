@@ -1,0 +1,85 @@
+#include "morph/merge_maps.h"
+
+#include "morph/mesh/geometry.h"
+#include "morph/overlay/lift.h"
+#include "morph/overlay/snap.h"
+#include "morph/overlay/triangulate.h"
+#include "morph/stage_clock.h"
+
+namespace automorph {
+
+namespace {
+
+std::vector<Site> composed(const std::vector<Site>& merged, const std::vector<Site>& on_shape) {
+    std::vector<Site> result;
+    result.reserve(merged.size());
+    for (const Site& site : merged) result.push_back(compose(site, on_shape));
+    return result;
+}
+
+int zero_area_triangles(const Points& V, const Triangles& F) {
+    const Eigen::VectorXd areas = triangle_areas({V, F});
+    return static_cast<int>((areas.array() <= 0.0).count());
+}
+
+}  // namespace
+
+Points place_on(const Shape& shape, const std::vector<Site>& sites, bool curved) {
+    return curved ? lift(shape.mesh.V, shape.normals, sites) : place(shape.mesh.V, sites);
+}
+
+std::vector<char> filling_triangles(const Shape& shape, const MappedPart& part) {
+    std::vector<char> filling(static_cast<std::size_t>(part.mesh.triangle_count()), 0);
+    if (shape.own_vertices == shape.mesh.vertex_count()) return filling;
+    for (int f = 0; f < part.mesh.triangle_count(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            const Site& corner = part.sites[static_cast<std::size_t>(part.mesh.F(f, k))];
+            if (corner.count == 1 && corner.corners[0] >= shape.own_vertices)
+                filling[static_cast<std::size_t>(f)] = 1;
+        }
+    }
+    return filling;
+}
+
+MergedPair merge_maps(const Shape& shape_a, const MappedPart& a, const Shape& shape_b, MappedPart b,
+                      bool curved, const std::string& label, Report& report) {
+    Overlay merged;
+    int snapped = 0;
+    {
+        const StageClock clock(report, "overlay" + label);
+        snapped = snap_vertices(b.mesh, b.loop, b.rays, a.rays);
+        merged = overlay(a.mesh, a.rays, b.mesh, b.rays);
+    }
+
+    const StageClock clock(report, "triangulation" + label);
+    MergedPair result;
+    result.on_a = composed(merged.on_a, a.sites);
+    result.on_b = composed(merged.on_b, b.sites);
+    const Points points_a = place_on(shape_a, result.on_a, curved),
+                 points_b = place_on(shape_b, result.on_b, curved);
+    MergedTriangles triangles = triangulate(merged, a.mesh, points_a, b.mesh, points_b);
+    result.F = std::move(triangles.F);
+    for (const int vertex : a.loop)
+        result.border.push_back(merged.vertex_of_a[static_cast<std::size_t>(vertex)]);
+
+    const std::vector<char> filling_a = filling_triangles(shape_a, a),
+                            filling_b = filling_triangles(shape_b, b);
+    for (const int face : triangles.face) {
+        const auto fa = static_cast<std::size_t>(merged.face_of_a[static_cast<std::size_t>(face)]);
+        const auto fb = static_cast<std::size_t>(merged.face_of_b[static_cast<std::size_t>(face)]);
+        result.in_filling.push_back(filling_a[fa] || filling_b[fb]);
+    }
+    report.overlays.push_back({.vertices_a = a.mesh.vertex_count(),
+                               .vertices_b = b.mesh.vertex_count(),
+                               .crossings = merged.crossings,
+                               .coincident = merged.coincident,
+                               .snapped = snapped,
+                               .on_edges = merged.on_edges,
+                               .vertices = merged.vertex_count(),
+                               .triangles = static_cast<int>(result.F.rows()),
+                               .zero_area_a = zero_area_triangles(points_a, result.F),
+                               .zero_area_b = zero_area_triangles(points_b, result.F)});
+    return result;
+}
+
+}  // namespace automorph

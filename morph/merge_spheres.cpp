@@ -1,0 +1,83 @@
+#include "morph/merge_spheres.h"
+
+#include <tbb/parallel_invoke.h>
+
+#include "morph/follow.h"
+#include "morph/overlay/lift.h"
+#include "morph/parameterization/sphere_border.h"
+#include "morph/parameterization/sphere_map.h"
+#include "morph/sphere_alignment/align_spheres.h"
+#include "morph/stage_clock.h"
+
+namespace automorph {
+
+namespace {
+
+MappedPart whole(const Shape& shape) {
+    MappedPart part{shape.mesh, {}, {}, {}};
+    for (int v = 0; v < shape.mesh.vertex_count(); ++v)
+        part.sites.push_back({{v, -1, -1}, {1.0, 0.0, 0.0}, 1});
+    return part;
+}
+
+MappedPart without_chords(const MappedPart& part) {
+    ChordFreeMesh split = split_chords(part.mesh, part.loop);
+    MappedPart result{std::move(split.mesh), part.loop, part.sites, {}};
+    for (const auto& [u, v] : split.midpoint)
+        result.sites.push_back(compose({{u, v, -1}, {0.5, 0.5, 0.0}, 2}, part.sites));
+    return result;
+}
+
+MergedPair merge(const Shape& shape_a, MappedPart a, const Shape& shape_b, MappedPart b,
+                 const SphereOptions& options, Report& report) {
+    const bool followed = options.guide && follow(*options.guide, a, shape_b, b, MapDomain::Sphere, report);
+    if (!followed && options.registration) {
+        const StageClock clock(report, "alignment");
+        AlignedSpheres aligned = align_spheres({a.mesh, a.loop, a.rays, filling_triangles(shape_a, a)},
+                                               {b.mesh, b.loop, b.rays, filling_triangles(shape_b, b)},
+                                               *options.registration, options.seed);
+        a.rays = std::move(aligned.rays_a);
+        b.rays = std::move(aligned.rays_b);
+        report.sphere_alignment = {aligned.matches, aligned.before, aligned.rotated, aligned.after};
+    }
+    const char* name = a.loop.empty() ? "progressive" : "progressive, border locked";
+    for (const MappedPart* part : {&a, &b}) {
+        const MapQuality quality = sphere_map_quality(part->mesh, part->rays);
+        MapReport map;
+        map.of = part == &a ? "source" : "target";
+        map.weights = followed && part == &a ? "aligned" : name;
+        map.flipped = quality.flipped;
+        map.p01 = quality.p01;
+        map.smallest_ratio = quality.smallest_ratio;
+        report.maps.push_back(map);
+    }
+    return merge_maps(shape_a, a, shape_b, std::move(b), options.curved, "", report);
+}
+
+}  // namespace
+
+MergedPair merge_spheres(const Shape& shape_a, const Shape& shape_b, const SphereOptions& options,
+                         Report& report) {
+    MappedPart a = whole(shape_a), b = whole(shape_b);
+    {
+        const StageClock clock(report, "maps");
+        tbb::parallel_invoke([&] { a.rays = sphere_map(a.mesh).rays; },
+                             [&] { b.rays = sphere_map(b.mesh).rays; });
+    }
+    return merge(shape_a, std::move(a), shape_b, std::move(b), options, report);
+}
+
+MergedPair merge_locked_spheres(const Shape& shape_a, const Shape& shape_b, const BorderedDisks& disks,
+                                const SphereOptions& options, Report& report) {
+    MappedPart a = without_chords(disks.a), b = without_chords(disks.b);
+    {
+        const StageClock clock(report, "maps on the sphere");
+        const double z = locked_height(cap_share(a.mesh, a.loop), cap_share(b.mesh, b.loop));
+        const Points circle = locked_border(disks.angles, z);
+        tbb::parallel_invoke([&] { a.rays = sphere_map(a.mesh, a.loop, circle).rays; },
+                             [&] { b.rays = sphere_map(b.mesh, b.loop, circle).rays; });
+    }
+    return merge(shape_a, std::move(a), shape_b, std::move(b), options, report);
+}
+
+}  // namespace automorph
