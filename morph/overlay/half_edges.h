@@ -12,7 +12,7 @@ namespace automorph {
 class HalfEdges {
 public:
     /// @param F  kept by reference
-    /// @throws InvalidMesh if two triangles run along an edge in one direction
+    /// @throws InvalidMesh if an edge has more than two triangles
     HalfEdges(const Triangles& F, int vertex_count);
 
     int vertex_count() const { return static_cast<int>(outgoing_.size()); }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -109,26 +110,23 @@ private:
 
     /// Appends the polygon of the sides in fb and empties its list.
     void close_face(int fa, int fb) {
-        Side sides[kMaxSides];
-        int count = 0;
-        bool closed = true;
-        for (int i = std::exchange(sides_in_[at(fb)], -1); closed && i >= 0; i = sides_[at(i)].next) {
-            closed = count < kMaxSides;
-            if (closed) sides[count++] = sides_[at(i)];
+        int from[kMaxSides], to[kMaxSides], count = 0, i = std::exchange(sides_in_[at(fb)], -1);
+        for (; i >= 0 && count < kMaxSides; i = sides_[at(i)].next, ++count) {
+            from[count] = sides_[at(i)].from;
+            to[count] = sides_[at(i)].to;
         }
-        closed = closed && count >= 3;
+        bool closed = i < 0 && count >= 3;
         result_.polygon_start.push_back(static_cast<int>(result_.polygon_vertices.size()));
         result_.face_of_a.push_back(fa);
         result_.face_of_b.push_back(fb);
-        int x = sides[0].from;
+        int x = from[0];
         for (int corner = 0; closed && corner < count; ++corner) {
             result_.polygon_vertices.push_back(x);
-            int side = 0;
-            while (side < count && sides[side].from != x) ++side;
+            const int side = static_cast<int>(std::find(from, from + count, x) - from);
             closed = side < count;
-            if (closed) x = sides[side].to;
+            if (closed) x = to[side];
         }
-        if (!closed || x != sides[0].from) {
+        if (!closed || x != from[0]) {
             throw SolverFailure(
                 fmt::format("overlay: triangles {} and {} meet in sides that do not close", fa, fb));
         }
