@@ -84,6 +84,7 @@ Progress keep_order(Site& site, int head, const Progress& before) {
 /// Along every edge of a map. @param sites  of the merged vertices on that map
 void keep_order(const HalfEdges& half_edges, const EdgePieces& of_map, std::vector<Site>& sites) {
     for (const EdgePieces::Edge& edge : of_map.edges) {
+        if (edge.end - edge.begin < 3) continue;  // one point has no order
         Progress progress;
         for (int i = edge.begin; i + 1 < edge.end; ++i)
             progress = keep_order(sites[at(of_map.pieces[at(i)].to)], half_edges.to(edge.halfedge), progress);
