@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "morph/exact/predicates.h"
-#include "morph/overlay/half_edges.h"
+#include "morph/mesh/half_edges.h"
 
 namespace automorph {
 

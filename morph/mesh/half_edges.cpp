@@ -1,4 +1,4 @@
-#include "morph/overlay/half_edges.h"
+#include "morph/mesh/half_edges.h"
 
 #include <fmt/format.h>
 

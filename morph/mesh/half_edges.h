@@ -6,9 +6,9 @@
 
 namespace automorph {
 
-/// Half-edges of a triangle mesh as a table of opposites: built once per overlay in linear time, a tenth of
-/// what the general half-edge structure takes. Half-edge 3f + k runs from corner k of triangle f to the next;
-/// only triangles have half-edges, so that a border edge has one.
+/// Half-edges of a triangle mesh that does not change, as a table of opposites: built in linear time, a tenth
+/// of what `Connectivity` takes. Half-edge 3f + k runs from corner k of triangle f to the next; only
+/// triangles have half-edges, so that a border edge has one.
 class HalfEdges {
 public:
     /// @param F  kept by reference
