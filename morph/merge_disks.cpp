@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "morph/align_disks.h"
 #include "morph/mesh/geometry.h"
 #include "morph/overlay/lift.h"
 #include "morph/overlay/snap.h"
@@ -67,7 +68,8 @@ Points place_on(const Shape& shape, const std::vector<Site>& sites, bool curved)
 }
 
 MergedDisks merge_disks(const Shape& shape_a, const Disk& a, const Shape& shape_b, const Disk& b,
-                        const BorderUnion& border, bool curved, const std::string& label, Report& report) {
+                        const BorderUnion& border, const MergeOptions& options, const std::string& label,
+                        Report& report) {
     const BorderedMesh bordered_a = insert_border(a.mesh, a.loop, border.source);
     const BorderedMesh bordered_b = insert_border(b.mesh, b.loop, border.target);
     const std::vector<Site> sites_a = sites_on_shape(a, bordered_a), sites_b = sites_on_shape(b, bordered_b);
@@ -82,6 +84,13 @@ MergedDisks merge_disks(const Shape& shape_a, const Disk& a, const Shape& shape_
         report.maps.push_back(map_report("target" + label, map_b));
     }
 
+    const std::vector<char> filling_a = filling_triangles(shape_a, bordered_a.mesh, sites_a);
+    const std::vector<char> filling_b = filling_triangles(shape_b, bordered_b.mesh, sites_b);
+    if (options.align_features) {
+        align_disks({bordered_a.mesh, bordered_a.loop, filling_a, map_a.rays},
+                    {bordered_b.mesh, bordered_b.loop, filling_b, map_b.rays}, label, report);
+    }
+
     Overlay merged;
     int snapped = 0;
     {
@@ -94,15 +103,13 @@ MergedDisks merge_disks(const Shape& shape_a, const Disk& a, const Shape& shape_
     MergedDisks result;
     result.on_a = composed(merged.on_a, sites_a);
     result.on_b = composed(merged.on_b, sites_b);
-    const Points points_a = place_on(shape_a, result.on_a, curved),
-                 points_b = place_on(shape_b, result.on_b, curved);
+    const Points points_a = place_on(shape_a, result.on_a, options.curved),
+                 points_b = place_on(shape_b, result.on_b, options.curved);
     MergedTriangles triangles = triangulate(merged, bordered_a.mesh, points_a, bordered_b.mesh, points_b);
     result.F = std::move(triangles.F);
     for (const int vertex : bordered_a.loop)
         result.border.push_back(merged.vertex_of_a[static_cast<std::size_t>(vertex)]);
 
-    const std::vector<char> filling_a = filling_triangles(shape_a, bordered_a.mesh, sites_a);
-    const std::vector<char> filling_b = filling_triangles(shape_b, bordered_b.mesh, sites_b);
     for (const int face : triangles.face) {
         const auto fa = static_cast<std::size_t>(merged.face_of_a[static_cast<std::size_t>(face)]);
         const auto fb = static_cast<std::size_t>(merged.face_of_b[static_cast<std::size_t>(face)]);

@@ -32,14 +32,20 @@ struct MergedDisks {
     std::vector<char> in_filling;  ///< per merged triangle: it lies in a filled opening of either shape
 };
 
+struct MergeOptions {
+    bool curved = true;           ///< merged vertices on the curved surface, Eq. (9)-(11)
+    bool align_features = false;  ///< Sec. 4.3: the maps are warped before they are overlaid
+};
+
 /// Merged vertices at their places on a shape, #sites x 3: curved by Eq. (9)-(11), or on the flat facets.
 Points place_on(const Shape& shape, const std::vector<Site>& sites, bool curved);
 
-/// [Urtasun04] Sec. 3 for two disks whose borders are known to correspond: border insertion, maps, overlay,
-/// triangulation. Adds its maps, overlay and stages to the report.
+/// [Urtasun04] Sec. 3 for two disks whose borders are known to correspond: border insertion, maps, features
+/// if asked for, overlay, triangulation. Adds its maps, overlay and stages to the report.
 /// @param label  " half 1" or "": tells the disks of one morph apart in the report
 /// @throws SolverFailure a stage found no valid answer
 MergedDisks merge_disks(const Shape& shape_a, const Disk& a, const Shape& shape_b, const Disk& b,
-                        const BorderUnion& border, bool curved, const std::string& label, Report& report);
+                        const BorderUnion& border, const MergeOptions& options, const std::string& label,
+                        Report& report);
 
 }  // namespace automorph

@@ -70,7 +70,7 @@ public:
                             source_.report.name, source_.report.closed ? "closed" : "open",
                             target_.report.name, target_.report.closed ? "closed" : "open"));
         }
-        if (options_.alignment == Alignment::Registration) register_shapes();
+        if (registered()) register_shapes();
         if (source_.report.closed) {
             merge_closed();
         } else {
@@ -84,6 +84,12 @@ public:
     Points correspondence;
 
 private:
+    bool registered() const { return options_.alignment != Alignment::None; }
+
+    MergeOptions merge_options() const {
+        return {.curved = options_.lift, .align_features = options_.alignment == Alignment::Features};
+    }
+
     /// Sec. 4.1.
     void register_shapes() {
         const StageClock clock(report_, "registration");
@@ -103,7 +109,7 @@ private:
         Mesh target_mesh = target_.mesh;
         std::vector<std::vector<int>> source_loops = loops(source_.mesh), target_loops = loops(target_mesh);
         BorderControl control;  // Section 3 alone: an arbitrary start, the mesh's own direction
-        if (options_.alignment == Alignment::Registration) {
+        if (registered()) {
             const StageClock clock(report_, "border");
             control = registered_control(source_.mesh, source_loops[0], target_mesh, target_loops[0],
                                          registration_);
@@ -122,7 +128,7 @@ private:
         target_shape_ = open_shape(target_mesh, target_loops);
         const Disk a = whole(source_shape_, source_loops[0]), b = whole(target_shape_, target_loops[0]);
         const BorderUnion border = border_union(loop_points(a), loop_points(b), control);
-        merged_ = merge_disks(source_shape_, a, target_shape_, b, border, options_.lift, "", report_);
+        merged_ = merge_disks(source_shape_, a, target_shape_, b, border, merge_options(), "", report_);
         open_fillings();
     }
 
@@ -135,12 +141,11 @@ private:
         BorderControl control;
         {
             const StageClock clock(report_, "cut");
-            const CutPlanes planes = options_.alignment == Alignment::Registration
-                                         ? choose_cut(source_.mesh, target_.mesh, registration_)
-                                         : unregistered_cut(source_.mesh, target_.mesh);
+            const CutPlanes planes = registered() ? choose_cut(source_.mesh, target_.mesh, registration_)
+                                                  : unregistered_cut(source_.mesh, target_.mesh);
             source_cut = cut(source_.mesh, planes.source);
             target_cut = cut(target_.mesh, planes.target);
-            if (options_.alignment == Alignment::Registration) {
+            if (registered()) {
                 // Both halves face outwards, so the direction is known.
                 control =
                     registered_control(source_cut.halves[0].mesh, source_cut.halves[0].loop,
@@ -152,9 +157,9 @@ private:
                    b1 = half(target_cut, 1);
         const BorderUnion border = border_union(loop_points(a0), loop_points(b0), control);
         const MergedDisks first =
-            merge_disks(source_shape_, a0, target_shape_, b0, border, options_.lift, " half 1", report_);
+            merge_disks(source_shape_, a0, target_shape_, b0, border, merge_options(), " half 1", report_);
         const MergedDisks second = merge_disks(source_shape_, a1, target_shape_, b1, mirrored(border),
-                                               options_.lift, " half 2", report_);
+                                               merge_options(), " half 2", report_);
         merged_ = glue(first, second);
     }
 

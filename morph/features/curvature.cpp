@@ -35,8 +35,8 @@ Points triangle_normals(const Mesh& mesh) {
 }
 
 /// The angle between the normals on either side of half-edge h; positive at a ridge.
-double bend(const Points& normals, const HalfEdges& half_edges, int h, const Vector3d& edge) {
-    const Vector3d left = normals.row(HalfEdges::face(h)), right = normals.row(half_edges.face_across(h));
+double bend(const Points& normals, const HalfEdgeTable& half_edges, int h, const Vector3d& edge) {
+    const Vector3d left = normals.row(HalfEdgeTable::face(h)), right = normals.row(half_edges.face_across(h));
     return std::atan2(left.cross(right).dot(edge.normalized()), left.dot(right));
 }
 
@@ -63,7 +63,7 @@ Eigen::SparseMatrix<double> stiffness(const Mesh& mesh) {
 
 }  // namespace
 
-Curvature curvature(const Mesh& mesh, const HalfEdges& half_edges) {
+Curvature curvature(const Mesh& mesh, const HalfEdgeTable& half_edges) {
     const int n = mesh.vertex_count();
     const double area = triangle_areas(mesh).sum();
     const Eigen::VectorXd areas = vertex_areas(mesh);  // A_i / 3

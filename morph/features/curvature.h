@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "morph/mesh/half_edges.h"
+#include "morph/mesh/half_edge_table.h"
 #include "morph/mesh/mesh.h"
 
 namespace automorph {
@@ -22,7 +22,7 @@ struct Curvature {
 /// The sum of K_i A_i / 3 is exactly 2 pi chi on a closed mesh. Both converge to the curvatures of a smooth
 /// surface at vertices of valence 6 in a regular neighbourhood; elsewhere in the mean.
 /// @param half_edges  of mesh
-Curvature curvature(const Mesh& mesh, const HalfEdges& half_edges);
+Curvature curvature(const Mesh& mesh, const HalfEdgeTable& half_edges);
 
 /// Curvatures as a scan shows them at a coarser scale: both are spread by heat flow over the surface, one
 /// implicit step of the cotangent Laplacian, which keeps their sums over the surface. "Beyond": the paper

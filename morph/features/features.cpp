@@ -15,7 +15,7 @@ namespace {
 constexpr int kDensityPoints = 16;
 
 /// Curvatures at every scale; the last decides on candidates.
-std::vector<Curvature> curvatures(const Mesh& mesh, const HalfEdges& half_edges,
+std::vector<Curvature> curvatures(const Mesh& mesh, const HalfEdgeTable& half_edges,
                                   const std::vector<double>& scales) {
     const Curvature finest = curvature(mesh, half_edges);
     std::vector<Curvature> result;
@@ -25,7 +25,7 @@ std::vector<Curvature> curvatures(const Mesh& mesh, const HalfEdges& half_edges,
 
 /// K is smaller than at every neighbour; of equal ones the smaller index counts as smaller. Neighbours
 /// without curvature do not count.
-bool is_minimum(const HalfEdges& half_edges, const Curvature& curvature, int v) {
+bool is_minimum(const HalfEdgeTable& half_edges, const Curvature& curvature, int v) {
     const int first = half_edges.outgoing(v);
     int h = first;
     do {  // v is inner: its half-edges close around it
@@ -37,7 +37,7 @@ bool is_minimum(const HalfEdges& half_edges, const Curvature& curvature, int v) 
     return true;
 }
 
-std::vector<int> candidates(const HalfEdges& half_edges, const Curvature& curvature,
+std::vector<int> candidates(const HalfEdgeTable& half_edges, const Curvature& curvature,
                             double largest_gaussian) {
     std::vector<int> found;
     for (int v = 0; v < half_edges.vertex_count(); ++v) {
@@ -106,7 +106,7 @@ std::vector<FeatureMatch> one_to_one(std::vector<FeatureMatch> matches) {
 
 Features match_features(const Mesh& a, const Points& rays_a, const Mesh& b, const Points& rays_b,
                         const FeatureOptions& options) {
-    const HalfEdges half_edges_a(a.F, a.vertex_count()), half_edges_b(b.F, b.vertex_count());
+    const HalfEdgeTable half_edges_a(a.F, a.vertex_count()), half_edges_b(b.F, b.vertex_count());
     const std::vector<Curvature> of_a = curvatures(a, half_edges_a, options.scales),
                                  of_b = curvatures(b, half_edges_b, options.scales);
     Features result;

@@ -6,7 +6,7 @@
 
 #include "morph/exact/predicates.h"
 #include "morph/features/plane_grid.h"
-#include "morph/mesh/half_edges.h"
+#include "morph/mesh/half_edge_table.h"
 
 // Notation of [Urtasun04] Sec. 4.3: h_j vertices in the map, f_i features, w_i their places, d the reach.
 
@@ -117,8 +117,8 @@ private:
             const int first = half_edges_.outgoing(m.vertex);
             int h = first;
             do {  // inner vertices: the half-edges close around them
-                int& checked = checked_[static_cast<std::size_t>(HalfEdges::face(h))];
-                if (checked != stamp_) triangles_.push_back(HalfEdges::face(h));
+                int& checked = checked_[static_cast<std::size_t>(HalfEdgeTable::face(h))];
+                if (checked != stamp_) triangles_.push_back(HalfEdgeTable::face(h));
                 checked = stamp_;
                 h = half_edges_.turn(h);
             } while (h != first);
@@ -150,7 +150,7 @@ private:
         double share;  ///< d - |h - f|
     };
 
-    const HalfEdges half_edges_;
+    const HalfEdgeTable half_edges_;
     const std::vector<int>& features_;
     const Points& places_;
     const WarpOptions& options_;

@@ -26,7 +26,7 @@ struct Side {
 
 class FaceMerger {
 public:
-    FaceMerger(const HalfEdges& a, const EdgePieces& of_a, const HalfEdges& b, const EdgePieces& of_b)
+    FaceMerger(const HalfEdgeTable& a, const EdgePieces& of_a, const HalfEdgeTable& b, const EdgePieces& of_b)
         : a_(a), b_(b), of_a_(of_a), of_b_(of_b), sides_in_(at(b.face_count()), -1) {
         edge_of_a_.resize(at(a.count()));
         for (std::size_t e = 0; e < of_a.edges.size(); ++e)
@@ -72,7 +72,7 @@ private:
         inner_.resize(at(inner_start_.back()));
         std::vector<int> next(inner_start_.begin(), inner_start_.end() - 1);
         for (const EdgePieces::Edge& edge : of_b_.edges) {
-            const int left = HalfEdges::face(edge.halfedge), right = b_.face_across(edge.halfedge);
+            const int left = HalfEdgeTable::face(edge.halfedge), right = b_.face_across(edge.halfedge);
             for (int i = edge.begin; i < edge.end; ++i) {
                 const Piece& piece = of_b_.pieces[at(i)];
                 if (piece.left == piece.right)
@@ -132,11 +132,11 @@ private:
         }
     }
 
-    const HalfEdges& a_;
-    const HalfEdges& b_;
+    const HalfEdgeTable& a_;
+    const HalfEdgeTable& b_;
     const EdgePieces& of_a_;
     const EdgePieces& of_b_;
-    std::vector<int> edge_of_a_;    ///< per half-edge of a, at HalfEdges::edge: index in of_a_.edges
+    std::vector<int> edge_of_a_;    ///< per half-edge of a, at HalfEdgeTable::edge: index in of_a_.edges
     std::vector<Inner> inner_;      ///< by triangle of a
     std::vector<int> inner_start_;  ///< #F a + 1
     std::vector<Side> sides_;       ///< of the triangle of a at hand
@@ -147,7 +147,7 @@ private:
 
 }  // namespace
 
-MergedFaces merge_faces(const HalfEdges& a, const EdgePieces& of_a, const HalfEdges& b,
+MergedFaces merge_faces(const HalfEdgeTable& a, const EdgePieces& of_a, const HalfEdgeTable& b,
                         const EdgePieces& of_b) {
     return FaceMerger(a, of_a, b, of_b).run();
 }

@@ -15,7 +15,7 @@ struct MergedFaces {
 /// So no angular sorting is needed: each piece of an edge knows the pair (fa, fb) on its left, and the pieces
 /// with the same pair are the sides of one merged face. Linear in the result.
 /// @throws SolverFailure if the sides of a face do not close
-MergedFaces merge_faces(const HalfEdges& a, const EdgePieces& of_a, const HalfEdges& b,
+MergedFaces merge_faces(const HalfEdgeTable& a, const EdgePieces& of_a, const HalfEdgeTable& b,
                         const EdgePieces& of_b);
 
 }  // namespace automorph

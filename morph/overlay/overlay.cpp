@@ -11,8 +11,8 @@
 #include "morph/overlay/pieces.h"
 #include "morph/overlay/trace.h"
 
-// Notation: ea, fa, va are an edge (HalfEdges::edge), a triangle, a vertex of map a; x is a merged vertex.
-// Merged vertices: those of a, those of b that are not on one of a, the crossings.
+// Notation: ea, fa, va are an edge (HalfEdgeTable::edge), a triangle, a vertex of map a; x is a merged
+// vertex. Merged vertices: those of a, those of b that are not on one of a, the crossings.
 
 namespace automorph {
 
@@ -30,7 +30,7 @@ struct SharedBorderVertex {
     int a, b;
 };
 
-std::vector<int> border(const HalfEdges& half_edges) {
+std::vector<int> border(const HalfEdgeTable& half_edges) {
     std::vector<int> vertices;
     for (int h = 0; h < half_edges.count(); ++h) {
         if (half_edges.opposite(h) < 0) vertices.push_back(half_edges.from(h));
@@ -82,7 +82,7 @@ Progress keep_order(Site& site, int head, const Progress& before) {
 }
 
 /// Along every edge of a map. @param sites  of the merged vertices on that map
-void keep_order(const HalfEdges& half_edges, const EdgePieces& of_map, std::vector<Site>& sites) {
+void keep_order(const HalfEdgeTable& half_edges, const EdgePieces& of_map, std::vector<Site>& sites) {
     for (const EdgePieces::Edge& edge : of_map.edges) {
         if (edge.end - edge.begin < 3) continue;  // one point has no order
         Progress progress;
@@ -262,7 +262,7 @@ private:
 }  // namespace
 
 Overlay overlay(const Mesh& a, const Points& rays_a, const Mesh& b, const Points& rays_b) {
-    const HalfEdges half_edges_a(a.F, a.vertex_count()), half_edges_b(b.F, b.vertex_count());
+    const HalfEdgeTable half_edges_a(a.F, a.vertex_count()), half_edges_b(b.F, b.vertex_count());
     const MapView map_a{half_edges_a, rays_a}, map_b{half_edges_b, rays_b};
     return Merger(map_a, map_b).run();
 }

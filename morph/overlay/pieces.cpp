@@ -28,7 +28,7 @@ public:
           leaving_(at(b.half_edges.face_count()), 0) {}
 
     EdgePieces run(int seed) {
-        const HalfEdges& mesh = a_.half_edges;
+        const HalfEdgeTable& mesh = a_.half_edges;
         result_.edges.reserve(at(mesh.vertex_count() + mesh.face_count()));
         result_.pieces.reserve(result_.edges.capacity() + known_.crossings.size() + vertex_of_b_.size());
         spread(mesh, seed, [&](int h) {
@@ -64,12 +64,12 @@ private:
 
     /// Lines up the crossings of an edge and returns the triangle of b after the last.
     int link(const Crossing* crossings, int count, bool forward, int from, int to) {
-        const HalfEdges& mesh = b_.half_edges;
+        const HalfEdgeTable& mesh = b_.half_edges;
         const auto left = [&](int i) {
-            return forward ? mesh.face_across(crossings[i].eb) : HalfEdges::face(crossings[i].eb);
+            return forward ? mesh.face_across(crossings[i].eb) : HalfEdgeTable::face(crossings[i].eb);
         };
         const auto entered = [&](int i) {
-            return forward ? HalfEdges::face(crossings[i].eb) : mesh.face_across(crossings[i].eb);
+            return forward ? HalfEdgeTable::face(crossings[i].eb) : mesh.face_across(crossings[i].eb);
         };
         int i = first_of(count, left, entered), x = from, face = -1;
         const Place start = known_.place[at(from)];

@@ -26,16 +26,16 @@ struct EdgePieces {
 /// An edge of b crosses an edge of a.
 struct Crossing {
     int eb;      ///< half-edge of b whose triangle is entered when ea is walked in the direction of
-                 ///< HalfEdges::edge
+                 ///< HalfEdgeTable::edge
     int vertex;  ///< merged
 };
 
 /// What the walks of b's edges say about a.
 struct CrossingsOfA {
     std::vector<Crossing> crossings;  ///< those of one edge of a together
-    std::vector<int> first;           ///< #half-edges of a + 1: range of an edge, at HalfEdges::edge
+    std::vector<int> first;           ///< #half-edges of a + 1: range of an edge, at HalfEdgeTable::edge
     std::vector<char>
-        touched;               ///< per half-edge of a, at HalfEdges::edge: a vertex of b lies inside the edge
+        touched;  ///< per half-edge of a, at HalfEdgeTable::edge: a vertex of b lies inside the edge
     std::vector<Place> place;  ///< per vertex of a: where it lies in b, if on a vertex or an edge
 };
 

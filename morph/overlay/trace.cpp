@@ -51,7 +51,7 @@ private:
     /// Sign of q against half-edge h, where p -> q heads for h from within its triangle: +1 if q lies before
     /// it.
     int end_side(int h) const {
-        if (end_.known() && end_.on == On::Face) return HalfEdges::face(h) == end_.index ? 1 : -1;
+        if (end_.known() && end_.on == On::Face) return HalfEdgeTable::face(h) == end_.index ? 1 : -1;
         return orientation(ray(mesh_.from(h)), ray(mesh_.to(h)), q_);
     }
 
@@ -67,13 +67,13 @@ private:
         const int first = mesh_.outgoing(v);
         int h = first;
         do {
-            const int last = HalfEdges::prev(h);  // the other side of the wedge, from w to v
+            const int last = HalfEdgeTable::prev(h);  // the other side of the wedge, from w to v
             const int s = orientation(ray(v), ray(mesh_.to(h)), q_);
             if (s == 0 && orientation(ray(v), q_, ray(mesh_.from(last))) > 0) return run_along(h, true);
             if (s > 0) {
                 const int s_last = orientation(ray(v), ray(mesh_.from(last)), q_);
                 if (s_last == 0) return run_along(last, false);
-                if (s_last < 0) return leave_through(HalfEdges::next(h));
+                if (s_last < 0) return leave_through(HalfEdgeTable::next(h));
             }
             h = mesh_.turn(h);
         } while (h >= 0 && h != first);
@@ -112,14 +112,14 @@ private:
     /// Through the triangle of h, entered by crossing h: its start is left of p -> q, its end right.
     bool cross_face(int h) {
         const int s = side(mesh_.apex(h));
-        if (s > 0) return leave_through(HalfEdges::next(h));
-        if (s < 0) return leave_through(HalfEdges::prev(h));
-        return leave_by_vertex(HalfEdges::prev(h));
+        if (s > 0) return leave_through(HalfEdgeTable::next(h));
+        if (s < 0) return leave_through(HalfEdgeTable::prev(h));
+        return leave_by_vertex(HalfEdgeTable::prev(h));
     }
 
     /// The segment heads for the inside of h, from within its triangle.
     bool leave_through(int h) {
-        const int s = end_side(h), face = HalfEdges::face(h);
+        const int s = end_side(h), face = HalfEdgeTable::face(h);
         if (s > 0) {
             stop(face, face, On::Face, face);
             return true;
@@ -133,7 +133,7 @@ private:
 
     /// The segment heads for the start of h, from within its triangle.
     bool leave_by_vertex(int h) {
-        const int s = end_side(h), face = HalfEdges::face(h);
+        const int s = end_side(h), face = HalfEdgeTable::face(h);
         entry_ = -1;
         if (s > 0) {
             stop(face, face, On::Face, face);
@@ -146,7 +146,7 @@ private:
     /// The segment runs along h, or against it.
     bool run_along(int h, bool forward) {
         // q lies before the end of h iff det[q to w] has the sign of det[from to w].
-        const int here = HalfEdges::face(h), across = mesh_.face_across(h);
+        const int here = HalfEdgeTable::face(h), across = mesh_.face_across(h);
         const int head = forward ? mesh_.to(h) : mesh_.from(h);
         const int s = orientation(q_, ray(head), ray(mesh_.apex(h))) * (forward ? 1 : -1);
         stop(forward ? here : across, forward ? across : here, s > 0 ? On::Edge : On::Vertex,
@@ -155,7 +155,7 @@ private:
     }
 
     const MapView& map_;
-    const HalfEdges& mesh_;
+    const HalfEdgeTable& mesh_;
     const Ray p_, q_;
     const Place end_;
     std::vector<Stretch>& out_;
@@ -163,7 +163,7 @@ private:
 };
 
 std::optional<Place> place_in_triangle(const MapView& map, int face, const Ray& point) {
-    const HalfEdges& mesh = map.half_edges;
+    const HalfEdgeTable& mesh = map.half_edges;
     int zeros = 0, zero[2] = {-1, -1};
     for (int h = 3 * face; h < 3 * face + 3; ++h) {
         const int s = orientation(map.ray(mesh.from(h)), map.ray(mesh.to(h)), point);
@@ -172,7 +172,7 @@ std::optional<Place> place_in_triangle(const MapView& map, int face, const Ray& 
     }
     if (zeros == 0) return Place{On::Face, face};
     if (zeros == 1) return Place{On::Edge, mesh.edge(zero[0])};
-    return Place{On::Vertex, mesh.to(HalfEdges::next(zero[0]) == zero[1] ? zero[0] : zero[1])};
+    return Place{On::Vertex, mesh.to(HalfEdgeTable::next(zero[0]) == zero[1] ? zero[0] : zero[1])};
 }
 
 }  // namespace
@@ -197,7 +197,7 @@ Place walk(const MapView& map, const Ray& p, const Ray& q, Place start, Place en
 }
 
 EdgeTraces trace_edges(const MapView& traced, const MapView& through, int seed_vertex, Place seed_place) {
-    const HalfEdges& mesh = traced.half_edges;
+    const HalfEdgeTable& mesh = traced.half_edges;
     const auto edges = static_cast<std::size_t>(mesh.vertex_count() + mesh.face_count());
     EdgeTraces result;
     result.place.resize(static_cast<std::size_t>(mesh.vertex_count()));

@@ -3,13 +3,13 @@
 #include <vector>
 
 #include "morph/exact/predicates.h"
-#include "morph/mesh/half_edges.h"
+#include "morph/mesh/half_edge_table.h"
 
 namespace automorph {
 
 /// A map as the tracer sees it: connectivity and one ray per vertex.
 struct MapView {
-    const HalfEdges& half_edges;
+    const HalfEdgeTable& half_edges;
     const Points& rays;
 
     Ray ray(int vertex) const { return rays.row(vertex); }
@@ -41,7 +41,7 @@ struct EdgeTraces {
     std::vector<Trace> traces;  ///< one per edge
     std::vector<Stretch> stretches;
     std::vector<Place>
-        place;  ///< per vertex of the traced map: where it lies in the other; edges by HalfEdges::edge
+        place;  ///< per vertex of the traced map: where it lies in the other; edges by HalfEdgeTable::edge
 };
 
 /// The place of a point in a map by testing every triangle: exact, O(#F).

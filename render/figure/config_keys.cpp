@@ -94,7 +94,8 @@ Section<RowConfig> row_section() {
     table.keys = {
         required(text("label", &R::label, "what the sheet calls the row")),
         choice("alignment", &R::alignment, kAlignments,
-               "how the maps are brought together: not at all (Section 3 alone) or by EM-ICP (4.1, 4.2)"),
+               "how the maps are brought together: not at all (Section 3 alone), by EM-ICP (4.1, "
+               "4.2), or by EM-ICP and curvature features (4.3)"),
         choice("interpolation", &R::interpolation, kInterpolations,
                "how vertices move: Eq. (12), (13) or (14)"),
         choice("openings", &R::openings, kOpenings,

@@ -18,7 +18,7 @@ using namespace automorph::testing;
 namespace {
 
 Curvature curvature(const Mesh& mesh) {
-    return automorph::curvature(mesh, HalfEdges(mesh.F, mesh.vertex_count()));
+    return automorph::curvature(mesh, HalfEdgeTable(mesh.F, mesh.vertex_count()));
 }
 
 /// Curvatures of a smooth surface at a vertex, not free of scale.

@@ -1,4 +1,4 @@
-#include "morph/mesh/half_edges.h"
+#include "morph/mesh/half_edge_table.h"
 
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ void for_each_side(const Triangles& F, const Visit& visit) {
 
 }  // namespace
 
-HalfEdges::HalfEdges(const Triangles& F, int vertex_count)
+HalfEdgeTable::HalfEdgeTable(const Triangles& F, int vertex_count)
     : F_(F),
       opposite_(static_cast<std::size_t>(F.size()), -1),
       outgoing_(static_cast<std::size_t>(vertex_count), -1) {

@@ -1,4 +1,4 @@
-#include "morph/mesh/half_edges.h"
+#include "morph/mesh/half_edge_table.h"
 
 #include <set>
 #include <utility>
@@ -24,14 +24,14 @@ std::vector<Mesh> some_meshes() {
 
 TEST_CASE("opposites, borders and turns are those of the half-edge mesh") {
     for (const Mesh& mesh : some_meshes()) {
-        const HalfEdges half_edges(mesh.F, mesh.vertex_count());
+        const HalfEdgeTable half_edges(mesh.F, mesh.vertex_count());
         const Connectivity topology = connectivity(mesh.F, mesh.vertex_count());
         REQUIRE(half_edges.count() == 3 * mesh.triangle_count());
         for (int h = 0; h < half_edges.count(); ++h) {
             const auto same = topology.find_halfedge(OpenMesh::VertexHandle(half_edges.from(h)),
                                                      OpenMesh::VertexHandle(half_edges.to(h)));
             REQUIRE(same.is_valid());
-            CHECK(topology.face_handle(same).idx() == HalfEdges::face(h));
+            CHECK(topology.face_handle(same).idx() == HalfEdgeTable::face(h));
             CHECK(topology.face_handle(topology.opposite_halfedge_handle(same)).idx() ==
                   half_edges.face_across(h));
             CHECK(topology.to_vertex_handle(topology.next_halfedge_handle(same)).idx() == half_edges.apex(h));
@@ -60,7 +60,7 @@ TEST_CASE("opposites, borders and turns are those of the half-edge mesh") {
 
 TEST_CASE("spreading meets every edge once, from a vertex met before") {
     for (const Mesh& mesh : some_meshes()) {
-        const HalfEdges half_edges(mesh.F, mesh.vertex_count());
+        const HalfEdgeTable half_edges(mesh.F, mesh.vertex_count());
         for (const int seed : {mesh.F(0, 0), mesh.F(mesh.triangle_count() - 1, 2)}) {
             std::set<int> met{seed};
             std::set<std::pair<int, int>> edges;
@@ -77,7 +77,7 @@ TEST_CASE("spreading meets every edge once, from a vertex met before") {
 TEST_CASE("an edge with three triangles is refused") {
     Triangles F(3, 3);
     F << 0, 1, 2, 1, 0, 3, 0, 1, 4;
-    CHECK_THROWS_AS(HalfEdges(F, 5), InvalidMesh);
+    CHECK_THROWS_AS(HalfEdgeTable(F, 5), InvalidMesh);
     F.row(2) << 1, 0, 4;
-    CHECK_THROWS_AS(HalfEdges(F, 5), InvalidMesh);
+    CHECK_THROWS_AS(HalfEdgeTable(F, 5), InvalidMesh);
 }

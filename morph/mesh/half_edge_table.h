@@ -9,11 +9,11 @@ namespace automorph {
 /// Half-edges of a triangle mesh that does not change, as a table of opposites: built in linear time, a tenth
 /// of what `Connectivity` takes. Half-edge 3f + k runs from corner k of triangle f to the next; only
 /// triangles have half-edges, so that a border edge has one.
-class HalfEdges {
+class HalfEdgeTable {
 public:
     /// @param F  kept by reference
     /// @throws InvalidMesh if an edge has more than two triangles
-    HalfEdges(const Triangles& F, int vertex_count);
+    HalfEdgeTable(const Triangles& F, int vertex_count);
 
     int vertex_count() const { return static_cast<int>(outgoing_.size()); }
     int face_count() const { return static_cast<int>(F_.rows()); }
@@ -48,7 +48,7 @@ private:
 /// Calls visit(h) once per edge, h from a vertex that is the seed or was reached by an earlier call. Every
 /// edge of a component is met, border edges in the direction of their triangle.
 template <typename Visit>
-void spread(const HalfEdges& half_edges, int seed, const Visit& visit) {
+void spread(const HalfEdgeTable& half_edges, int seed, const Visit& visit) {
     std::vector<char> reached(static_cast<std::size_t>(half_edges.vertex_count()), 0),
         visited(static_cast<std::size_t>(half_edges.count()), 0);
     std::vector<int> queue{seed};
