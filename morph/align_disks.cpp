@@ -28,11 +28,12 @@ void align_disks(DiskToAlign a, DiskToAlign b, const std::string& label, Report&
         align_features({a.mesh, surface_a, a.loop, a.rays}, {b.mesh, surface_b, b.loop, b.rays});
     a.rays = std::move(aligned.rays_a);
     b.rays = std::move(aligned.rays_b);
-    const auto matched = static_cast<int>(aligned.features.matches.size());
-    report.features.push_back({.candidates_a = static_cast<int>(aligned.features.candidates_a.size()),
-                               .candidates_b = static_cast<int>(aligned.features.candidates_b.size()),
+    const auto matched = static_cast<int>(aligned.matches.size());
+    report.features.push_back({.candidates_a = aligned.candidates_a,
+                               .candidates_b = aligned.candidates_b,
                                .matched = matched,
                                .in_place = aligned.in_place,
+                               .warps = aligned.warps,
                                .rounds = aligned.rounds,
                                .distance_before = aligned.distance_before,
                                .distance_after = aligned.distance_after});

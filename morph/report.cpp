@@ -42,6 +42,7 @@ Json json(const FeatureReport& features) {
             {"candidates_b", features.candidates_b},
             {"matched", features.matched},
             {"in_place", features.in_place},
+            {"warps", features.warps},
             {"rounds", features.rounds},
             {"distance_before", features.distance_before},
             {"distance_after", features.distance_after}};

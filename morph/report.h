@@ -39,6 +39,7 @@ struct FeatureReport {
     int candidates_a = 0, candidates_b = 0;
     int matched = 0;
     int in_place = 0;                                ///< matched ones that the warp laid on one another
+    int warps = 0;                                   ///< the first and those after matching again
     int rounds = 0;                                  ///< of the warps
     double distance_before = 0, distance_after = 0;  ///< mean over the matched, in the map (radius 1)
 };

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "morph/features/curvature.h"
 #include "morph/registration/nearest.h"
 
 namespace automorph {
@@ -37,14 +36,13 @@ bool is_minimum(const HalfEdgeTable& half_edges, const Curvature& curvature, int
     return true;
 }
 
-std::vector<int> candidates(const HalfEdgeTable& half_edges, const Curvature& curvature,
-                            double largest_gaussian) {
-    std::vector<int> found;
-    for (int v = 0; v < half_edges.vertex_count(); ++v) {
-        if (curvature[v] && curvature.gaussian[v] < largest_gaussian && is_minimum(half_edges, curvature, v))
-            found.push_back(v);
-    }
-    return found;
+/// Per vertex: a candidate of the other surface may be matched with it.
+std::vector<char> targets(const FeatureCandidates& candidates, FeatureTargets which) {
+    std::vector<char> result = candidates.curvatures.back().defined;
+    if (which == FeatureTargets::Vertices) return result;
+    std::fill(result.begin(), result.end(), 0);
+    for (const int v : candidates.vertices) result[static_cast<std::size_t>(v)] = 1;
+    return result;
 }
 
 /// The vertices of a map around a place, in a disk that holds about as many wherever it is.
@@ -104,27 +102,35 @@ std::vector<FeatureMatch> one_to_one(std::vector<FeatureMatch> matches) {
 
 }  // namespace
 
-Features match_features(const Mesh& a, const Points& rays_a, const Mesh& b, const Points& rays_b,
-                        const FeatureOptions& options) {
-    const HalfEdgeTable half_edges_a(a.F, a.vertex_count()), half_edges_b(b.F, b.vertex_count());
-    const std::vector<Curvature> of_a = curvatures(a, half_edges_a, options.scales),
-                                 of_b = curvatures(b, half_edges_b, options.scales);
-    Features result;
-    result.candidates_a = candidates(half_edges_a, of_a.back(), options.largest_gaussian);
-    result.candidates_b = candidates(half_edges_b, of_b.back(), options.largest_gaussian);
+FeatureCandidates feature_candidates(const Mesh& surface, const FeatureOptions& options) {
+    const HalfEdgeTable half_edges(surface.F, surface.vertex_count());
+    FeatureCandidates result;
+    result.curvatures = curvatures(surface, half_edges, options.scales);
+    const Curvature& coarsest = result.curvatures.back();
+    for (int v = 0; v < surface.vertex_count(); ++v) {
+        if (coarsest[v] && coarsest.gaussian[v] < options.largest_gaussian &&
+            is_minimum(half_edges, coarsest, v))
+            result.vertices.push_back(v);
+    }
+    return result;
+}
 
+std::vector<FeatureMatch> match_features(const FeatureCandidates& a, const Points& rays_a,
+                                         const FeatureCandidates& b, const Points& rays_b,
+                                         const FeatureOptions& options) {
+    const std::vector<char> target = targets(b, options.targets);
     MapDisk disk(rays_b, options.radius);
-    for (const int v : result.candidates_a) {
+    std::vector<FeatureMatch> matches;
+    for (const int v : a.vertices) {
         FeatureMatch best{v, -1, options.largest_difference};
         for (const int w : disk.around(rays_a.row(v))) {
-            if (!of_b.back()[w]) continue;
-            const double here = difference(of_a, v, of_b, w);
+            if (!target[static_cast<std::size_t>(w)]) continue;
+            const double here = difference(a.curvatures, v, b.curvatures, w);
             if (here < best.difference) best = {v, w, here};
         }
-        if (best.vertex_b >= 0) result.matches.push_back(best);
+        if (best.vertex_b >= 0) matches.push_back(best);
     }
-    result.matches = one_to_one(std::move(result.matches));
-    return result;
+    return one_to_one(std::move(matches));
 }
 
 }  // namespace automorph

@@ -2,21 +2,44 @@
 
 #include <vector>
 
+#include "morph/features/curvature.h"
 #include "morph/mesh/mesh.h"
 
 namespace automorph {
 
+/// What a candidate may be matched with.
+enum class FeatureTargets {
+    Vertices,    ///< every inner vertex
+    Candidates,  ///< candidates only: curvature has an extremum there, and a place
+};
+
 /// Constants of [Urtasun04] Sec. 4.3, which gives no values. Curvatures are free of scale; the sphere of a
 /// surface's area has K = 4 pi, about 12.6.
+///
+/// The defaults go beyond the paper, whose choice is scales {0} and targets Vertices: on the vertices of
+/// another tessellation of the same face, curvature as it comes is noise, and matches by it lie anywhere in
+/// the search disk; smoothed minima find themselves again.
 struct FeatureOptions {
     double largest_gaussian = -100.0;  ///< c: a candidate is a saddle eight times as curved as the sphere
     double radius = 0.1;  ///< r, of the search in the map (radius 1), where points have mean density
-    double largest_difference = 100.0;  ///< m: less than what makes a candidate stand out
+    double largest_difference = 200.0;  ///< m
+    FeatureTargets targets = FeatureTargets::Candidates;
     /// Widths of smoothing relative to the root of the area, 0 for none; see `smoothed`. Candidates are
-    /// minima at the last, E is the mean over all. "Beyond" if not {0}: {0.01, 0.02, 0.04} passes over the
-    /// noise of a scan.
-    std::vector<double> scales{0.0};
+    /// minima at the last, E is the mean over all.
+    std::vector<double> scales{0.01, 0.02, 0.04};
 };
+
+/// The curvatures of a surface at all scales, and its candidates.
+struct FeatureCandidates {
+    std::vector<Curvature> curvatures;  ///< one per scale
+    std::vector<int> vertices;          ///< ascending
+};
+
+/// Inner vertices whose K at the last scale is below c and below that of all neighbours: [Urtasun04]
+/// Sec. 4.3, first list, steps 1 and 2.
+/// @param surface  what counts: leave out the triangles of fillings, whose rims are borders then
+/// @throws SolverFailure  smoothing failed
+FeatureCandidates feature_candidates(const Mesh& surface, const FeatureOptions& options = {});
 
 /// Two vertices that are taken for the same feature.
 struct FeatureMatch {
@@ -24,25 +47,16 @@ struct FeatureMatch {
     double difference;  ///< E = |K_a - K_b| + |H_a - H_b|
 };
 
-struct Features {
-    std::vector<int> candidates_a,
-        candidates_b;                   ///< vertices, ascending; those of b are only counted and shown
-    std::vector<FeatureMatch> matches;  ///< by vertex_a; no vertex occurs twice
-};
-
-/// Features of a found again in b, [Urtasun04] Sec. 4.3, steps 1 to 3.
+/// Candidates of a found again in b: step 3. Sorted by vertex of a; no vertex occurs twice.
 ///
-/// Candidates  inner vertices whose K is below c and below that of all neighbours.
-/// Matches     of the inner vertices of b within r_i of a candidate in the map, the one with the smallest E,
-/// if E < m.
-///             r_i is r times the ratio of the spacing of b's points there and on average, "the inverse of
-///             the density": every search sees about as many points.
-/// Deviation   where several candidates want one vertex, the smallest E has it; the others stay without.
+/// Of the targets of b within r_i of a candidate in the map the one with the smallest E is taken, if E < m.
+/// r_i is r times the ratio of the spacing of b's points there and on average, "the inverse of the density":
+/// every search sees about as many points. Deviation   where several candidates want one vertex, the smallest
+/// E has it; the others stay without.
 ///
-/// @param a  surface that counts: leave out the triangles of fillings, whose rims are borders then
-/// @param rays_a  #V x 3 registered map: (x, y, 1) on the unit disk
-/// @throws SolverFailure  smoothing failed
-Features match_features(const Mesh& a, const Points& rays_a, const Mesh& b, const Points& rays_b,
-                        const FeatureOptions& options = {});
+/// @param rays_a  #V x 3 registered map: (x, y, 1) on the unit disk; rays_b likewise
+std::vector<FeatureMatch> match_features(const FeatureCandidates& a, const Points& rays_a,
+                                         const FeatureCandidates& b, const Points& rays_b,
+                                         const FeatureOptions& options = {});
 
 }  // namespace automorph

@@ -30,6 +30,13 @@ std::vector<int> vertices(const GraphDisk& disk, const Points& places) {
     return found;
 }
 
+AlignOptions unsmoothed(double radius) {
+    AlignOptions options;
+    options.matching.radius = radius;
+    options.matching.scales = {0.0};
+    return options;
+}
+
 /// What holds of every warp.
 void check_warp(const GraphDisk& disk, const std::vector<int>& features, const Points& places,
                 const WarpedMap& warped, const WarpOptions& options = {}) {
@@ -128,13 +135,15 @@ TEST_CASE("alignment brings the features of two maps of one surface onto one ano
         b.rays.row(v).head<2>() += 0.06 * (1.0 - r2) * Eigen::RowVector2d(1.0, 0.5);
     }
     REQUIRE(flipped(b.mesh.F, b.rays) == 0);
-    const AlignedMaps aligned =
-        align_features({a.mesh, a.mesh.F, a.loop, a.rays}, {b.mesh, b.mesh.F, b.loop, b.rays});
-    REQUIRE(aligned.features.matches.size() == 4);
+    const AlignedMaps aligned = align_features({a.mesh, a.mesh.F, a.loop, a.rays},
+                                               {b.mesh, b.mesh.F, b.loop, b.rays}, unsmoothed(0.1));
+    CHECK(aligned.candidates_a == 4);
+    CHECK(aligned.warps == 1);
+    REQUIRE(aligned.matches.size() == 4);
     CHECK(aligned.in_place == 4);
     CHECK(aligned.distance_before > 0.02);
     CHECK(aligned.distance_after == 0.0);
-    for (const FeatureMatch& m : aligned.features.matches) {
+    for (const FeatureMatch& m : aligned.matches) {
         CHECK(m.vertex_a == m.vertex_b);
         CHECK(aligned.rays_a.row(m.vertex_a) == aligned.rays_b.row(m.vertex_b));
         CHECK(aligned.rays_a.row(m.vertex_a) == 0.5 * (a.rays.row(m.vertex_a) + b.rays.row(m.vertex_b)));
@@ -143,4 +152,39 @@ TEST_CASE("alignment brings the features of two maps of one surface onto one ano
     CHECK(flipped(b.mesh.F, aligned.rays_b) == 0);
     // Not only the features: the maps as a whole are nearer to one another.
     CHECK((aligned.rays_a - aligned.rays_b).norm() < 0.9 * (a.rays - b.rays).norm());
+}
+
+TEST_CASE("features out of reach at first are matched again after the others have brought them near") {
+    const GraphDisk a = graph_disk(30, 0.0, 1, egg_box);
+    GraphDisk b = a;
+    for (int v = 0; v < b.rays.rows(); ++v) {  // a shift that grows from left to right
+        const double x = b.rays(v, 0), r2 = b.rays.row(v).head<2>().squaredNorm();
+        b.rays(v, 1) += 0.12 * (1.0 + 0.5 * x) * (1.0 - r2);
+    }
+    REQUIRE(flipped(b.mesh.F, b.rays) == 0);
+    const auto aligned = [&](int rematches) {
+        AlignOptions options = unsmoothed(0.06);
+        options.warping.reach = 1.5;  // the saddles are 1 apart
+        options.rematches = rematches;
+        return align_features({a.mesh, a.mesh.F, a.loop, a.rays}, {b.mesh, b.mesh.F, b.loop, b.rays},
+                              options);
+    };
+    const AlignedMaps once = aligned(0), again = aligned(3);
+    CHECK(once.warps == 1);
+    REQUIRE(once.matches.size() > 0);
+    REQUIRE(once.matches.size() < 4);
+    CHECK(again.warps > 1);
+    CHECK(again.matches.size() == 4);
+    CHECK(again.in_place == 4);
+    for (const FeatureMatch& m : again.matches) CHECK(m.vertex_a == m.vertex_b);
+}
+
+TEST_CASE("surfaces without features keep their maps bit for bit") {
+    const GraphDisk a = graph_disk(10, 0.2, 1, flat), b = graph_disk(12, 0.2, 2, flat);
+    const AlignedMaps aligned =
+        align_features({a.mesh, a.mesh.F, a.loop, a.rays}, {b.mesh, b.mesh.F, b.loop, b.rays});
+    CHECK(aligned.rays_a == a.rays);
+    CHECK(aligned.rays_b == b.rays);
+    CHECK(aligned.warps == 0);
+    CHECK(aligned.matches.empty());
 }
