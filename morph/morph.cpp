@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "morph/align_disks.h"
 #include "morph/alignment/border_places.h"
 #include "morph/alignment/guide.h"
 #include "morph/cut/cut.h"
@@ -145,6 +146,7 @@ private:
         BorderedDisks disks = border_disks(a, b, border);
         if (onto_disk(disks)) {
             report_.domain = "disk";
+            align_features(disks, "");
             if (guide_ && follow(*guide_, disks.a, target_shape_, disks.b, MapDomain::Disk, report_)) {
                 report_.maps.front() = aligned_map_report(disks.a);
             }
@@ -176,6 +178,15 @@ private:
         }
     }
 
+    /// Sec. 4.3, if asked for.
+    void align_features(BorderedDisks& disks, const std::string& label) {
+        if (options_.alignment != Alignment::Features) return;
+        const std::vector<char> filling_a = filling_triangles(source_shape_, disks.a),
+                                filling_b = filling_triangles(target_shape_, disks.b);
+        align_disks({disks.a.mesh, disks.a.loop, filling_a, disks.a.rays},
+                    {disks.b.mesh, disks.b.loop, filling_b, disks.b.rays}, label, report_);
+    }
+
     static MapReport aligned_map_report(const MappedPart& part) {
         const MapQuality quality = map_quality(part.mesh, part.rays);
         MapReport map;
@@ -201,6 +212,11 @@ private:
     }
 
     SphereOptions sphere_options() const {
+        if (options_.alignment == Alignment::Features) {
+            report_.notes.push_back(
+                "curvature features are laid on one another on the disk only; on the sphere "
+                "registered places are (choose the domain disk or cut)");
+        }
         return {.registration = registers() ? &registration_ : nullptr,
                 .guide = guide_ ? &*guide_ : nullptr,
                 .curved = options_.lift,
@@ -268,6 +284,7 @@ private:
                                      const std::string& label) {
             BorderedDisks disks = border_disks(a, b, shared);
             map_onto_disk(disks, label, report_);
+            align_features(disks, label);
             return merge_maps(source_shape_, disks.a, target_shape_, std::move(disks.b), options_.lift, label,
                               report_);
         };

@@ -21,6 +21,7 @@ namespace automorph {
 enum class Alignment {
     None,          ///< Section 3 alone: borders start at an arbitrary vertex, no registration
     Registration,  ///< Sections 4.1 and 4.2: EM-ICP, control vertices, direction
+    Features,      ///< Sections 4.1 to 4.3: registration, then curvature features laid on one another
     Dense,         ///< beyond the paper: EM-ICP continued to a smooth non-rigid motion, borders that slide
 };
 
