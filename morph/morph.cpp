@@ -163,7 +163,7 @@ private:
     void align_shapes(const AlignedShape& source, const AlignedShape& target, BorderUnion* border) {
         if (options_.alignment != Alignment::Dense) return;
         const StageClock clock(report_, "alignment");
-        guide_ = align(source, registration_.apply(source.mesh.V), target);
+        guide_ = align(source, registration_.apply(source.mesh.V), target, options_.nonrigid);
         report_.alignment.distance = guide_->distance;
         if (!border) return;
         auto aligned = aligned_border(guide_->x(source.loops[0], Eigen::all),

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "morph/alignment/options.h"
 #include "morph/interpolation/interpolation.h"
 #include "morph/mesh/mesh.h"
 #include "morph/report.h"
@@ -43,7 +44,8 @@ struct MorphOptions {
     Alignment alignment = Alignment::Dense;
     Openings openings = Openings::Reopen;
     Domain domain = Domain::Auto;
-    bool lift = true;  ///< curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise
+    NonRigidOptions nonrigid;  ///< of Alignment::Dense
+    bool lift = true;          ///< curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise
     std::uint64_t seed = 1;
 };
 
