@@ -147,14 +147,15 @@ TEST_CASE("a closed pair, cut and glued again, is watertight and reproduces both
     const InputMesh source = admit_mesh(ellipsoid({1.0, 0.7, 0.5}, {.triangles = 900, .seed = 3}));
     const InputMesh target =
         admit_mesh(star({}, {.triangles = 1100, .seed = 4, .rotation = kTurn, .translation = {2, 0, 1}}));
-    for (const Alignment alignment : {Alignment::Registration, Alignment::None}) {
+    for (const Alignment alignment : {Alignment::Registration, Alignment::None, Alignment::Features}) {
         const Morph result = morph(source, target, {.alignment = alignment, .lift = false});
         check_reproduces_both(result, source.mesh, target.mesh);
         CHECK(unmatched_edges(result.triangles()) == 0);
         const Connectivity topology =
             connectivity(result.triangles(), static_cast<int>(result.frame(0).rows()));
         CHECK(euler_characteristic(topology) == 2);
-        CHECK(result.report().registration.used == (alignment == Alignment::Registration));
+        CHECK(result.report().registration.used == (alignment != Alignment::None));
+        CHECK(result.report().features.size() == (alignment == Alignment::Features ? 2 : 0));
         CHECK(result.report().overlays.size() == 2);
     }
     const Morph lifted = morph(source, target);
@@ -227,6 +228,34 @@ TEST_CASE("the correspondence follows the file's vertices, unused ones too") {
               .maxCoeff() < 1e-5);
 }
 
+TEST_CASE("curvature features of an open pair come to lie on one another") {
+    const auto rippled = [](int n, double twist, double shift) {
+        Mesh mesh = dome(n, 0.0, twist);
+        for (int v = 0; v < mesh.vertex_count(); ++v) {
+            const double x = mesh.V(v, 0) - shift, y = mesh.V(v, 1);
+            mesh.V(v, 2) += 0.4 * std::cos(4.5 * x) * std::cos(4.5 * y) + 0.1 * x * x * y;
+        }
+        return mesh;
+    };
+    const InputMesh source = admit_mesh(rippled(20, 0.0, 0.0));
+    const InputMesh target = admit_mesh(moved(rippled(23, 0.4, 0.06), kTurn, {3, -2, 5}, 2.5));
+    const Morph plain = morph(source, target, {.lift = false});
+    CHECK(plain.report().features.empty());
+    const Morph aligned = morph(source, target, {.alignment = Alignment::Features, .lift = false});
+    check_reproduces_both(aligned, source.mesh, target.mesh);
+    REQUIRE(aligned.report().features.size() == 1);
+    const FeatureReport& features = aligned.report().features[0];
+    CHECK(features.candidates_a >= 4);
+    CHECK(features.candidates_b >= 4);
+    CHECK(features.matched >= 3);
+    CHECK(features.in_place == features.matched);
+    CHECK(features.distance_before > 0.01);
+    CHECK(features.distance_after < 1e-9);
+    // A feature is a vertex of both shapes now.
+    CHECK(aligned.report().overlays[0].coincident >=
+          plain.report().overlays[0].coincident + features.in_place);
+}
+
 TEST_CASE("one open and one closed mesh are refused with a reason") {
     const InputMesh open = admit_mesh(dome(5, 0.5, 0.0), "dome"),
                     closed = admit_mesh(ellipsoid({1, 1, 1}, {.triangles = 200}), "ball");
@@ -240,7 +269,8 @@ TEST_CASE("the same input gives the same morph, and the report says what was don
     CHECK(first.frame(0.3) == second.frame(0.3));
     CHECK(first.triangles() == second.triangles());
     const std::string json = report_json(first.report());
-    for (const char* key : {"\"rotation\"", "\"weights\"", "\"crossings\"", "\"seconds\"", "\"confident\""}) {
+    for (const char* key :
+         {"\"rotation\"", "\"weights\"", "\"crossings\"", "\"seconds\"", "\"confident\"", "\"features\""}) {
         CHECK(json.find(key) != std::string::npos);
     }
 }
