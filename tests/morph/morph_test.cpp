@@ -228,15 +228,30 @@ TEST_CASE("the correspondence follows the file's vertices, unused ones too") {
               .maxCoeff() < 1e-5);
 }
 
+/// A dome with hills, valleys and saddles.
+Mesh rippled(int n, double twist, double shift) {
+    Mesh mesh = dome(n, 0.0, twist);
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        const double x = mesh.V(v, 0) - shift, y = mesh.V(v, 1);
+        mesh.V(v, 2) += 0.4 * std::cos(4.5 * x) * std::cos(4.5 * y) + 0.1 * x * x * y;
+    }
+    return mesh;
+}
+
+TEST_CASE("fillings of openings have no features of their own") {
+    // The filling of this hole is flat, its rim a sharp crease.
+    const InputMesh source = admit_mesh(with_opening(rippled(20, 0.0, 0.0), 0.0, 0.0, 0.15));
+    const InputMesh target =
+        admit_mesh(moved(with_opening(rippled(23, 0.4, 0.06), 0.06, 0.0, 0.15), kTurn, {3, -2, 5}));
+    const Morph aligned = morph(source, target, {.alignment = Alignment::Features, .lift = false});
+    REQUIRE(aligned.report().features.size() == 1);
+    CHECK(aligned.report().features[0].candidates_a == 4);
+    CHECK(aligned.report().features[0].candidates_b == 4);
+    CHECK(aligned.report().features[0].in_place >= 3);
+    CHECK(aligned.report().reopened_triangles > 0);
+}
+
 TEST_CASE("curvature features of an open pair come to lie on one another") {
-    const auto rippled = [](int n, double twist, double shift) {
-        Mesh mesh = dome(n, 0.0, twist);
-        for (int v = 0; v < mesh.vertex_count(); ++v) {
-            const double x = mesh.V(v, 0) - shift, y = mesh.V(v, 1);
-            mesh.V(v, 2) += 0.4 * std::cos(4.5 * x) * std::cos(4.5 * y) + 0.1 * x * x * y;
-        }
-        return mesh;
-    };
     const InputMesh source = admit_mesh(rippled(20, 0.0, 0.0));
     const InputMesh target = admit_mesh(moved(rippled(23, 0.4, 0.06), kTurn, {3, -2, 5}, 2.5));
     const Morph plain = morph(source, target, {.lift = false});
