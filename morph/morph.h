@@ -44,8 +44,8 @@ struct MorphOptions {
     Alignment alignment = Alignment::Dense;
     Openings openings = Openings::Reopen;
     Domain domain = Domain::Auto;
-    NonRigidOptions nonrigid;  ///< of Alignment::Dense
-    bool lift = true;          ///< curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise
+    NonRigidOptions nonrigid = {};  ///< of Alignment::Dense
+    bool lift = true;  ///< curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise
     std::uint64_t seed = 1;
 };
 

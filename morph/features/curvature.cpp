@@ -15,6 +15,13 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// Bound of cotangents in the heat flow, without unit: a needle's edge of no length is stiff, not infinitely
+/// so.
+constexpr double kLargestCotangent = 1e6;
+/// Least area of a vertex in the heat flow, relative to that of the surface: it only keeps the matrix
+/// regular.
+constexpr double kLeastMass = 1e-15;
+
 Vector3d position(const Mesh& mesh, int v) {
     return mesh.V.row(v);
 }
@@ -40,19 +47,21 @@ double bend(const Points& normals, const HalfEdgeTable& half_edges, int h, const
     return std::atan2(left.cross(right).dot(edge.normalized()), left.dot(right));
 }
 
-/// Negated cotangent Laplacian with its negative weights left out: positive semi-definite, rows sum to 0, so
-/// that heat flow makes no new extrema.
-Eigen::SparseMatrix<double> stiffness(const Mesh& mesh) {
+/// M + time L: M the areas of the vertices, L the negated cotangent Laplacian with its negative weights left
+/// out, so that heat flow makes no new extrema, and the others bounded. Symmetric, positive definite.
+Eigen::SparseMatrix<double> heat_flow(const Mesh& mesh, const Eigen::VectorXd& mass, double time) {
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(static_cast<std::size_t>(12 * mesh.triangle_count()));
+    entries.reserve(static_cast<std::size_t>(mesh.vertex_count() + 12 * mesh.triangle_count()));
+    for (int v = 0; v < mesh.vertex_count(); ++v) entries.emplace_back(v, v, mass[v]);
     for (int f = 0; f < mesh.triangle_count(); ++f) {
         for (int k = 0; k < 3; ++k) {
             const int i = mesh.F(f, k), j = mesh.F(f, (k + 1) % 3), apex = mesh.F(f, (k + 2) % 3);
             const Vector3d u = position(mesh, i) - position(mesh, apex),
                            v = position(mesh, j) - position(mesh, apex);
-            const double twice_area = u.cross(v).norm();
-            if (!(u.dot(v) > 0.0 && twice_area > 0.0)) continue;
-            const double weight = 0.5 * u.dot(v) / twice_area;
+            const double along = u.dot(v), across = u.cross(v).norm();
+            if (!(along > 0.0)) continue;
+            const double weight =
+                0.5 * time * (along < kLargestCotangent * across ? along / across : kLargestCotangent);
             entries.insert(entries.end(), {{i, i, weight}, {j, j, weight}, {i, j, -weight}, {j, i, -weight}});
         }
     }
@@ -93,13 +102,12 @@ Curvature curvature(const Mesh& mesh, const HalfEdgeTable& half_edges) {
 Curvature smoothed(const Curvature& curvature, const Mesh& mesh, double length) {
     // (M + t L) u' = M u; heat spreads with variance 2 t along every line. What is not defined takes no part:
     // its mass is spread too, and the result divided by the share that was there.
-    const double time = 0.5 * length * length * triangle_areas(mesh).sum();
-    Eigen::VectorXd mass = vertex_areas(mesh);
-    const double least = 1e-12 * mass.maxCoeff();  // vertices without area: the matrix stays regular
-    mass = mass.cwiseMax(least);
-    Eigen::SparseMatrix<double> matrix = time * stiffness(mesh);
-    matrix.diagonal() += mass;
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+    const double area = triangle_areas(mesh).sum();
+    if (!(area > 0.0)) return curvature;
+    // Vertices without triangles or area: the matrix stays regular.
+    const Eigen::VectorXd mass = vertex_areas(mesh).cwiseMax(kLeastMass * area);
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(
+        heat_flow(mesh, mass, 0.5 * length * length * area));
     if (solver.info() != Eigen::Success)
         throw SolverFailure("features: the heat flow could not be factorised");
 

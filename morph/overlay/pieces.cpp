@@ -65,19 +65,19 @@ private:
     /// Lines up the crossings of an edge and returns the triangle of b after the last.
     int link(const Crossing* crossings, int count, bool forward, int from, int to) {
         const HalfEdgeTable& mesh = b_.half_edges;
-        const auto left = [&](int i) {
+        const auto exited = [&](int i) {
             return forward ? mesh.face_across(crossings[i].eb) : HalfEdgeTable::face(crossings[i].eb);
         };
         const auto entered = [&](int i) {
             return forward ? HalfEdgeTable::face(crossings[i].eb) : mesh.face_across(crossings[i].eb);
         };
-        int i = first_of(count, left, entered), x = from, face = -1;
+        int i = first_of(count, exited, entered), x = from, face = -1;
         const Place start = known_.place[at(from)];
-        if (start.on == On::Face && (i == count || start.index != left(i))) broken(from, to);
+        if (start.on == On::Face && (i == count || start.index != exited(i))) broken(from, to);
         for (int linked = 0; linked < count; ++linked) {
             if (linked > 0) i = leaving_[at(face)];
-            if (i >= count || (linked > 0 && left(i) != face)) broken(from, to);
-            result_.pieces.push_back({left(i), left(i), x, crossings[i].vertex});
+            if (i >= count || (linked > 0 && exited(i) != face)) broken(from, to);
+            result_.pieces.push_back({exited(i), exited(i), x, crossings[i].vertex});
             x = crossings[i].vertex;
             face = entered(i);
         }
@@ -85,15 +85,15 @@ private:
         return face;
     }
 
-    /// The crossing that no other leads to. Leaves in leaving_ the crossing by which a triangle is left.
-    template <typename Left, typename Entered>
-    int first_of(int count, const Left& left, const Entered& entered) {
+    /// The crossing that no other leads to. Sets leaving_ for the triangles of this edge.
+    template <typename Exited, typename Entered>
+    int first_of(int count, const Exited& exited, const Entered& entered) {
         if (count == 1) return 0;
-        for (int i = 0; i < count; ++i) leaving_[at(left(i))] = i;
+        for (int i = 0; i < count; ++i) leaving_[at(exited(i))] = i;
         is_next_.assign(at(count), 0);
         for (int i = 0; i < count; ++i) {
             const int next = leaving_[at(entered(i))];  // of another edge perhaps: ask it
-            if (next < count && left(next) == entered(i)) is_next_[at(next)] = 1;
+            if (next < count && exited(next) == entered(i)) is_next_[at(next)] = 1;
         }
         return static_cast<int>(std::find(is_next_.begin(), is_next_.end(), 0) - is_next_.begin());
     }

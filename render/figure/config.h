@@ -45,8 +45,20 @@ struct RowConfig {
     Interpolation interpolation = Interpolation::Slerp;
     Openings openings = Openings::Reopen;
     Domain domain = Domain::Auto;
-    NonRigidOptions nonrigid;  ///< of the dense alignment
+    NonRigidOptions nonrigid = {};  ///< of the dense alignment
     bool lift = true;
+
+    /// What the row says of its morph. @param seed  of the registration
+    MorphOptions morph_options(std::uint64_t seed) const {
+        MorphOptions options;
+        options.alignment = alignment;
+        options.openings = openings;
+        options.domain = domain;
+        options.nonrigid = nonrigid;
+        options.lift = lift;
+        options.seed = seed;
+        return options;
+    }
 };
 
 /// How every cell is pictured; all cells of a figure share one camera.

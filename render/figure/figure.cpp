@@ -58,14 +58,7 @@ std::vector<FrameSequence> compute_rows(const FigureConfig& config, const Figure
         const RowConfig& row = config.rows[first];
         const std::string task = fmt::format("morph of row {} ({})", first + 1, row.label);
         tell(options.progress, task, 0);
-        MorphOptions morph_options;
-        morph_options.alignment = row.alignment;
-        morph_options.openings = row.openings;
-        morph_options.domain = row.domain;
-        morph_options.nonrigid = row.nonrigid;
-        morph_options.lift = row.lift;
-        morph_options.seed = config.seed;
-        const Morph result = morph(source, target, morph_options);
+        const Morph result = morph(source, target, row.morph_options(config.seed));
         for (std::size_t i = first; i < config.rows.size(); ++i) {
             if (!same_morph(row, config.rows[i])) continue;
             sequences[i] = frames_of(result, config.alphas, config.rows[i].interpolation);

@@ -162,7 +162,7 @@ TEST_CASE(
         admit_mesh(star({}, {.triangles = 1100, .seed = 4, .rotation = kTurn, .translation = {2, 0, 1}}));
     for (const Domain domain : {Domain::Auto, Domain::Cut}) {
         const std::string expected = domain == Domain::Cut ? "cut into two disks" : "sphere";
-        for (const Alignment alignment : {Alignment::Registration, Alignment::None}) {
+        for (const Alignment alignment : {Alignment::Registration, Alignment::None, Alignment::Features}) {
             const Morph result =
                 morph(source, target, {.alignment = alignment, .domain = domain, .lift = false});
             check_reproduces_both(result, source.mesh, target.mesh);
@@ -170,11 +170,13 @@ TEST_CASE(
             const Connectivity topology =
                 connectivity(result.triangles(), static_cast<int>(result.frame(0).rows()));
             CHECK(euler_characteristic(topology) == 2);
-            CHECK(result.report().registration.used == (alignment == Alignment::Registration));
+            CHECK(result.report().registration.used == (alignment != Alignment::None));
+            CHECK(result.report().features.size() ==
+                  (alignment == Alignment::Features && domain == Domain::Cut ? 2 : 0));
             CHECK(result.report().domain == expected);
             CHECK(result.report().overlays.size() == (domain == Domain::Cut ? 2 : 1));
             CHECK((result.report().sphere_alignment.matches > 0) ==
-                  (domain != Domain::Cut && alignment == Alignment::Registration));
+                  (domain != Domain::Cut && alignment != Alignment::None));
         }
         const Morph lifted = morph(source, target, {.domain = domain});
         check_holds_vertices(lifted.frame(0), source.mesh);
@@ -340,7 +342,8 @@ TEST_CASE("the same input gives the same morph, and the report says what was don
     CHECK(first.frame(0.3) == second.frame(0.3));
     CHECK(first.triangles() == second.triangles());
     const std::string json = report_json(first.report());
-    for (const char* key : {"\"rotation\"", "\"weights\"", "\"crossings\"", "\"seconds\"", "\"confident\""}) {
+    for (const char* key :
+         {"\"rotation\"", "\"weights\"", "\"crossings\"", "\"seconds\"", "\"confident\"", "\"features\""}) {
         CHECK(json.find(key) != std::string::npos);
     }
 }

@@ -166,3 +166,30 @@ TEST_CASE("smoothing keeps constants and totals, and widens a peak to the given 
     }
     CHECK(std::sqrt(variance) == Approx(0.05 * std::sqrt(area)).epsilon(0.05));
 }
+
+TEST_CASE("smoothing stands vertices without triangles, triangles without area and surfaces without any") {
+    Mesh mesh = grid(6, [](int i, int j) { return i == 2 && j == 2; });
+    for (int v = 0; v < mesh.vertex_count(); ++v) mesh.V(v, 2) = 0.1 * std::sin(2.0 * v);
+    Mesh odd = mesh;  // two vertices of no triangle, and two triangles shut
+    odd.V.conservativeResize(mesh.V.rows() + 2, 3);
+    odd.V.bottomRows(2).setConstant(1.0);
+    odd.V.row(33) = odd.V.row(32);
+    const Curvature found = smoothed(curvature(odd), odd, 0.05);
+    CHECK(found.gaussian.allFinite());
+    CHECK(found.mean.allFinite());
+    for (const int v : {mesh.vertex_count(), mesh.vertex_count() + 1}) {
+        CHECK_FALSE(found[v]);
+        CHECK(found.gaussian[v] == 0.0);
+    }
+    // What is far from the shut triangles is not touched by them, and by the lone vertices nothing is.
+    Mesh lone = odd;
+    lone.V.topRows(mesh.V.rows()) = mesh.V;
+    const Curvature with = smoothed(curvature(lone), lone, 0.05),
+                    without = smoothed(curvature(mesh), mesh, 0.05);
+    CHECK((with.gaussian.head(mesh.V.rows()) - without.gaussian).cwiseAbs().maxCoeff() < 1e-9);
+    CHECK(found.gaussian[8] == Approx(without.gaussian[8]).epsilon(0.2));
+
+    mesh.V.setZero();
+    const Curvature none = smoothed(curvature(mesh), mesh, 0.05);
+    for (int v = 0; v < mesh.vertex_count(); ++v) CHECK_FALSE(none[v]);
+}

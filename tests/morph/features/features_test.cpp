@@ -181,7 +181,9 @@ TEST_CASE("borders and what is left out of the surface hold no features") {
             without.F.row(kept++) = disk.mesh.F.row(f);
     }
     without.F.conservativeResize(kept, 3);
-    const Features features = match({without, disk.loop, disk.rays}, disk);
+    const FeatureOptions options =
+        GENERATE(FeatureOptions(Paper{}), FeatureOptions{.largest_gaussian = -60.0, .scales = {0.01, 0.03}});
+    const Features features = match({without, disk.loop, disk.rays}, disk, options);
     CHECK(features.candidates_b.size() == 4);
     for (const int v : features.candidates_a) CHECK_FALSE((disk.rays(v, 0) > 0.45 && disk.rays(v, 1) > 0.45));
     for (const FeatureMatch& m : features.matches)

@@ -242,7 +242,7 @@ TEST_CASE("needles, triangles of height 1e-15 across the disk, overlay exactly")
     }
 }
 
-TEST_CASE("maps of 50 000 triangles overlay at a cost linear in the result") {
+TEST_CASE("maps of 50 000 triangles overlay at a cost linear in the result", "[sweep]") {
     const bool disk = GENERATE(true, false);
     INFO((disk ? "disk" : "sphere"));
     Random random(13);

@@ -69,7 +69,8 @@ Worst worst_of(const Mesh& source, const Mesh& same_shape, int poses, std::uint6
 
 }  // namespace
 
-TEST_CASE("a differently tessellated copy is found again from 500 random rotations, at any scale") {
+TEST_CASE("a differently tessellated copy is found again from 500 random rotations, at any scale",
+          "[sweep]") {
     struct Case {
         Mesh source, target;
         int poses;
@@ -97,7 +98,7 @@ TEST_CASE("a differently tessellated copy is found again from 500 random rotatio
     }
 }
 
-TEST_CASE("real shapes are found again in another tessellation") {
+TEST_CASE("real shapes are found again in another tessellation", "[sweep]") {
     for (const std::string name :
          {"nefertiti", "head", "hand", "triceratops", "homer", "lion-head", "mannequin-devil"}) {
         const Mesh mesh = test::demo_mesh(name);
@@ -113,7 +114,7 @@ TEST_CASE("real shapes are found again in another tessellation") {
     }
 }
 
-TEST_CASE("noise of 1 and 3 percent of the diagonal on both meshes is borne") {
+TEST_CASE("noise of 1 and 3 percent of the diagonal on both meshes is borne", "[sweep]") {
     for (const std::string name : {"head", "hand", "lion-head"}) {
         const Mesh mesh = test::demo_mesh(name);
         if (mesh.vertex_count() == 0) {

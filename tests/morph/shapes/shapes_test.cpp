@@ -123,7 +123,7 @@ TEST_CASE("Volume and area converge quadratically to those of the ellipsoid") {
     CHECK(triangle_areas(ball).sum() == Approx(16.0 * kPi).epsilon(1e-3));
 }
 
-TEST_CASE("Triangles are even") {
+TEST_CASE("Triangles are even", "[sweep]") {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         StarParameters six;
         six.arms = 6;
@@ -182,7 +182,7 @@ TEST_CASE("A star has its tips, valleys and thickness where they were asked for"
     }
 }
 
-TEST_CASE("A meshed star has as many tips as arms") {
+TEST_CASE("A meshed star has as many tips as arms", "[sweep]") {
     for (const int arms : {3, 5, 6, 8}) {
         CAPTURE(arms);
         StarParameters parameters;
@@ -238,7 +238,7 @@ TEST_CASE("The same seed gives the same bits") {
     }
 }
 
-TEST_CASE("Another seed gives another tessellation of the same surface") {
+TEST_CASE("Another seed gives another tessellation of the same surface", "[sweep]") {
     for (const bool is_star : {false, true}) {
         const auto make = [&](std::uint64_t seed) {
             return is_star ? star({}, tessellation(3000, seed)) : ellipsoid(kAxes, tessellation(3000, seed));

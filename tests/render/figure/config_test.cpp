@@ -90,6 +90,7 @@ target:
 rows:
   - {label: first, alignment: none, interpolation: linear, openings: fill, domain: cut, lift: false}
   - {label: second, alignment: registration, interpolation: rigid-linear}
+  - {label: third, alignment: features}
 alphas: [0, 1/3, 0.5, 1]
 seed: 7
 picture: {width: 100, height: 120, spp: 9, seed: 3, view: [1, 0, 0], up: [0, 0, 1], fov: 35, albedo: [1, 0, 0.5], normals: flat}
@@ -108,8 +109,9 @@ picture: {width: 100, height: 120, spp: 9, seed: 3, view: [1, 0, 0], up: [0, 0, 
     CHECK(figure.source.translation == Eigen::Vector3d(1, -2, 0.3));
     CHECK(figure.target.shape == MeshConfig::Shape::Ellipsoid);
     CHECK(figure.target.semi_axes == Eigen::Vector3d(1, 2, 3));
-    REQUIRE(figure.rows.size() == 2);
+    REQUIRE(figure.rows.size() == 3);
     CHECK(figure.rows[0].alignment == Alignment::None);
+    CHECK(figure.rows[2].alignment == Alignment::Features);
     CHECK(figure.rows[0].interpolation == Interpolation::Linear);
     CHECK(figure.rows[0].openings == Openings::Fill);
     CHECK(figure.rows[0].domain == Domain::Cut);

@@ -13,8 +13,7 @@ TEST_CASE("figure 7: Section 3 alone loses volume halfway, the registered morph 
     double halfway[2];
     for (std::size_t i = 0; i < 2; ++i) {
         const RowConfig& row = config.rows[i];
-        const Morph m =
-            morph(source, target, {row.alignment, row.openings, row.domain, row.lift, config.seed});
+        const Morph m = morph(source, target, row.morph_options(config.seed));
         // The ends are the shapes: lifting moves merged vertices off the facets by less than a per cent of
         // the volume.
         CHECK(signed_volume(m.mesh(0, row.interpolation)) ==

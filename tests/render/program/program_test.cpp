@@ -155,6 +155,9 @@ TEST_CASE("the command line arrives in full") {
     CHECK(plain.options.domain == Domain::Auto);
     CHECK(plain.options.lift);
 
+    const auto features = command_of<MorphArguments>({"morph", "a", "b", "--alignment", "features"});
+    CHECK(features.options.alignment == Alignment::Features);
+
     const auto figure = command_of<FigureArguments>(
         {"figure", "x.yaml", "y.yaml", "--out", "d", "--spp", "3", "--scale", "0.5"});
     CHECK(figure.configs == std::vector<fs::path>{"x.yaml", "y.yaml"});
