@@ -8,7 +8,9 @@ namespace automorph {
 
 struct SphereOptions {
     const Registration* registration = nullptr;  ///< brings the maps together; none: they stay as they are
-    bool curved = true;                          ///< placement of merged vertices
+    const Guide* guide =
+        nullptr;         ///< where an alignment puts the vertices of a: its map follows it as far as it can
+    bool curved = true;  ///< placement of merged vertices
     std::uint64_t seed = 1;
 };
 

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
+#include "morph/alignment/border_places.h"
+#include "morph/alignment/guide.h"
 #include "morph/cut/cut.h"
 #include "morph/merge_disks.h"
 #include "morph/merge_spheres.h"
@@ -66,7 +69,7 @@ public:
 
     void run() {
         require_domain();
-        if (options_.alignment == Alignment::Registration) register_shapes();
+        if (registers()) register_shapes();
         if (!source_.report.closed && !target_.report.closed) {
             merge_open();
         } else if (options_.domain == Domain::Cut) {
@@ -95,6 +98,8 @@ private:
                         b ? "closed" : "open", disk ? "disk" : "cut", disk ? "open" : "closed"));
     }
 
+    bool registers() const { return options_.alignment != Alignment::None; }
+
     /// Sec. 4.1.
     void register_shapes() {
         const StageClock clock(report_, "registration");
@@ -113,7 +118,7 @@ private:
         Mesh target_mesh = target_.mesh;
         std::vector<std::vector<int>> source_loops = loops(source_.mesh), target_loops = loops(target_mesh);
         BorderControl control;  // Section 3 alone: an arbitrary start, the mesh's own direction
-        if (options_.alignment == Alignment::Registration) {
+        if (registers()) {
             const StageClock clock(report_, "border");
             control = registered_control(source_.mesh, source_loops[0], target_mesh, target_loops[0],
                                          registration_);
@@ -131,35 +136,62 @@ private:
         source_shape_ = open_shape(source_.mesh, source_loops);
         target_shape_ = open_shape(target_mesh, target_loops);
         const Disk a = whole(source_shape_, source_loops[0]), b = whole(target_shape_, target_loops[0]);
-        BorderedDisks disks = border_disks(a, b, border_union(loop_points(a), loop_points(b), control));
-        if (onto_disk(disks)) {
+        BorderUnion border = border_union(loop_points(a), loop_points(b), control);
+        std::optional<Guide> guide;
+        if (options_.alignment == Alignment::Dense) {
+            guide = align_open({source_.mesh, source_loops, source_shape_.centres},
+                               {target_mesh, target_loops, target_shape_.centres}, border);
+        }
+        BorderedDisks disks = border_disks(source_shape_, a, target_shape_, b, border);
+        if (onto_disk(disks, guide ? &*guide : nullptr)) {
             report_.domain = "disk";
             merged_ = merge_maps(source_shape_, disks.a, target_shape_, std::move(disks.b), options_.lift, "",
                                  report_);
         } else {
             report_.domain = "sphere, border locked";
-            merged_ = merge_locked_spheres(source_shape_, target_shape_, disks, sphere_options(), report_);
+            merged_ = merge_locked_spheres(source_shape_, target_shape_, disks,
+                                           sphere_options(guide ? &*guide : nullptr), report_);
         }
         open_fillings();
     }
 
     /// Maps an open pair onto the disk if it is to go there. False: onto the sphere.
-    bool onto_disk(BorderedDisks& disks) {
+    bool onto_disk(BorderedDisks& disks, const Guide* guide) {
         if (options_.domain == Domain::Sphere) return false;
-        if (options_.domain == Domain::Disk) {
-            map_onto_disk(disks, "", report_);
-            return true;
-        }
-        const std::string reason = try_harmonic_disk(disks, report_);
-        if (reason.empty()) return true;
-        report_.notes.push_back("mapped onto the sphere with the border locked: " + reason);
+        const std::string defect = map_onto_disk(
+            disks, {.guide = guide, .only_good = options_.domain == Domain::Auto, .label = ""}, report_);
+        if (defect.empty()) return true;
+        report_.notes.push_back("mapped onto the sphere with the border locked; " + defect);
         return false;
     }
 
-    SphereOptions sphere_options() const {
-        return {.registration = options_.alignment == Alignment::Registration ? &registration_ : nullptr,
+    SphereOptions sphere_options(const Guide* guide) const {
+        return {.registration = registers() ? &registration_ : nullptr,
+                .guide = guide,
                 .curved = options_.lift,
                 .seed = options_.seed};
+    }
+
+    /// The dense alignment; it places the source's border too. Empty where that leads nowhere.
+    std::optional<Guide> align_open(const AlignedShape& source, const AlignedShape& target,
+                                    BorderUnion& border) {
+        Guide guide = align_shapes(source, target);
+        const auto aligned =
+            aligned_border(guide.x(source.loops[0], Eigen::all), target.mesh.V(target.loops[0], Eigen::all));
+        if (!aligned) {
+            report_.notes.push_back(
+                "the alignment was given up: the source's border does not run once around the target's");
+            return std::nullopt;
+        }
+        border = *aligned;
+        return guide;
+    }
+
+    Guide align_shapes(const AlignedShape& source, const AlignedShape& target) {
+        const StageClock clock(report_, "alignment");
+        Guide guide = align(source, registration_.apply(source.mesh.V), target);
+        report_.alignment.distance = guide.distance;
+        return guide;
     }
 
     /// Closed shapes; an open one beside a closed one is capped.
@@ -167,7 +199,12 @@ private:
         report_.domain = "sphere";
         source_shape_ = source_.report.closed ? closed_shape(source_.mesh) : capped_shape(source_);
         target_shape_ = target_.report.closed ? closed_shape(target_.mesh) : capped_shape(target_);
-        merged_ = merge_spheres(source_shape_, target_shape_, sphere_options(), report_);
+        std::optional<Guide> guide;
+        if (options_.alignment == Alignment::Dense && source_.report.closed && target_.report.closed) {
+            guide = align_shapes({source_.mesh, {}, {}}, {target_.mesh, {}, {}});
+        }
+        merged_ =
+            merge_spheres(source_shape_, target_shape_, sphere_options(guide ? &*guide : nullptr), report_);
         open_fillings();
     }
 
@@ -194,12 +231,11 @@ private:
         BorderControl control;
         {
             const StageClock clock(report_, "cut");
-            const CutPlanes planes = options_.alignment == Alignment::Registration
-                                         ? choose_cut(source_.mesh, target_.mesh, registration_)
-                                         : unregistered_cut(source_.mesh, target_.mesh);
+            const CutPlanes planes = registers() ? choose_cut(source_.mesh, target_.mesh, registration_)
+                                                 : unregistered_cut(source_.mesh, target_.mesh);
             source_cut = cut(source_.mesh, planes.source);
             target_cut = cut(target_.mesh, planes.target);
-            if (options_.alignment == Alignment::Registration) {
+            if (registers()) {
                 // Both halves face outwards, so the direction is known.
                 control =
                     registered_control(source_cut.halves[0].mesh, source_cut.halves[0].loop,
@@ -212,8 +248,8 @@ private:
         const BorderUnion border = border_union(loop_points(a0), loop_points(b0), control);
         const auto merged_half = [&](const Disk& a, const Disk& b, const BorderUnion& shared,
                                      const std::string& label) {
-            BorderedDisks disks = border_disks(a, b, shared);
-            map_onto_disk(disks, label, report_);
+            BorderedDisks disks = border_disks(source_shape_, a, target_shape_, b, shared);
+            map_onto_disk(disks, {.label = label}, report_);
             return merge_maps(source_shape_, disks.a, target_shape_, std::move(disks.b), options_.lift, label,
                               report_);
         };
@@ -234,14 +270,16 @@ private:
     }
 
     static Shape filled_shape(const Mesh& mesh, const std::vector<std::vector<int>>& openings) {
-        Shape shape{mesh, vertex_normals(mesh), mesh.vertex_count()};
+        Shape shape = closed_shape(mesh);
         if (openings.empty()) return shape;
-        shape.mesh = fill_openings(mesh, openings).mesh;
+        FilledMesh filled = fill_openings(mesh, openings);
+        shape.mesh = std::move(filled.mesh);
+        shape.centres = std::move(filled.centres);
         shape.normals.conservativeResizeLike(Points::Zero(shape.mesh.vertex_count(), 3));
         return shape;
     }
 
-    static Shape closed_shape(const Mesh& mesh) { return {mesh, vertex_normals(mesh), mesh.vertex_count()}; }
+    static Shape closed_shape(const Mesh& mesh) { return {mesh, vertex_normals(mesh), {}}; }
 
     static Disk whole(const Shape& shape, const std::vector<int>& loop) {
         Disk disk{shape.mesh, loop, {}};

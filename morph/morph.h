@@ -21,6 +21,7 @@ namespace automorph {
 enum class Alignment {
     None,          ///< Section 3 alone: borders start at an arbitrary vertex, no registration
     Registration,  ///< Sections 4.1 and 4.2: EM-ICP, control vertices, direction
+    Dense,         ///< beyond the paper: EM-ICP continued to a smooth non-rigid motion, borders that slide
 };
 
 /// What happens to openings (eyes, mouth) other than the border; they are filled for the maps.
@@ -38,7 +39,7 @@ enum class Domain {
 };
 
 struct MorphOptions {
-    Alignment alignment = Alignment::Registration;
+    Alignment alignment = Alignment::Dense;
     Openings openings = Openings::Reopen;
     Domain domain = Domain::Auto;
     bool lift = true;  ///< curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise

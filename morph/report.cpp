@@ -27,6 +27,14 @@ Json json(const RegistrationReport& registration) {
             {"confident", registration.confident}};
 }
 
+Json json(const AlignmentReport& alignment) {
+    return {{"used", alignment.used},
+            {"distance", alignment.distance},
+            {"flipped_before", alignment.flipped_before},
+            {"moved", alignment.moved},
+            {"rounds", alignment.rounds}};
+}
+
 Json json(const MapReport& map) {
     return {{"of", map.of},
             {"weights", map.weights},
@@ -69,6 +77,7 @@ std::string report_json(const Report& report) {
     const Json root = {{"source", json(report.source)},
                        {"target", json(report.target)},
                        {"registration", json(report.registration)},
+                       {"alignment", json(report.alignment)},
                        {"domain", report.domain},
                        {"sphere_alignment", json(report.sphere_alignment)},
                        {"target_reversed", report.target_reversed},

@@ -25,10 +25,19 @@ struct RegistrationReport {
     bool converged = false, confident = false;
 };
 
+/// What the dense alignment did.
+struct AlignmentReport {
+    bool used = false;
+    double distance = 0.0;   ///< between matched points at its end, root mean square, in target box diagonals
+    int flipped_before = 0;  ///< triangles of the source that their places on the target turn over
+    int moved = 0;           ///< vertices moved off their places to make the map one-to-one
+    int rounds = 0;          ///< of that repair
+};
+
 /// One map onto the domain.
 struct MapReport {
     std::string of;       ///< "source", "target", "source half 1", ...
-    std::string weights;  ///< "cotangent", "mean value", "uniform"; "progressive" on the sphere
+    std::string weights;  ///< "cotangent", "mean value", "uniform"; "progressive" on the sphere; "aligned"
     std::string reason;   ///< why not the first choice; empty otherwise
     int flipped = 0;      ///< by the exact predicate; 0 always, or the morph fails
     double p01 = 0, smallest_ratio = 0, residual = 0;
@@ -60,6 +69,7 @@ struct SphereAlignmentReport {
 struct Report {
     MeshReport source, target;
     RegistrationReport registration;
+    AlignmentReport alignment;
     std::vector<MapReport> maps;
     std::vector<OverlayReport> overlays;  ///< one, or one per half
     std::string domain;  ///< "disk", "cut into two disks", "sphere" or "sphere, border locked"

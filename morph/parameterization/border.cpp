@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "morph/mesh/errors.h"
@@ -93,19 +94,26 @@ BorderedMesh insert_border(const Mesh& mesh, const std::vector<int>& loop,
     BorderedMesh result;
     result.mesh.F = mesh.F;
 
-    // Vertices: the union in order, new ones listed per loop edge.
-    std::vector<std::vector<int>> on_edge(loop.size());
+    // Vertices: the union in order.
     for (const BorderSite& site : sites) {
         const int from = loop[at(site.from)], to = loop[at(site.to)];
         if (site.is_vertex()) {
             result.loop.push_back(from);
             continue;
         }
-        const int vertex = mesh.vertex_count() + static_cast<int>(result.inserted.size());
-        const bool forwards = (site.from + 1) % loop_size == site.to;
-        on_edge[at(forwards ? site.from : site.to)].push_back(vertex);
-        result.loop.push_back(vertex);
+        result.loop.push_back(mesh.vertex_count() + static_cast<int>(result.inserted.size()));
         result.inserted.push_back({from, to, site.ratio});
+    }
+    // New ones listed per loop edge, along it: from a vertex of the loop on, as the union may begin amid an
+    // edge.
+    std::vector<std::vector<int>> on_edge(loop.size());
+    const auto first =
+        std::find_if(sites.begin(), sites.end(), [](const BorderSite& s) { return s.is_vertex(); });
+    for (std::size_t k = 0; k < sites.size(); ++k) {
+        const std::size_t s = (static_cast<std::size_t>(first - sites.begin()) + k) % sites.size();
+        if (sites[s].is_vertex()) continue;
+        const bool forwards = (sites[s].from + 1) % loop_size == sites[s].to;
+        on_edge[at(forwards ? sites[s].from : sites[s].to)].push_back(result.loop[s]);
     }
     result.mesh.V.resize(mesh.vertex_count() + static_cast<Eigen::Index>(result.inserted.size()), 3);
     result.mesh.V.topRows(mesh.vertex_count()) = mesh.V;

@@ -81,16 +81,19 @@ void match(std::vector<Mark>& marks) {
 /// Turns positions counted from the control vertex into sites of the loop.
 class Side {
 public:
-    Side(const Eigen::VectorXd& angles, int start) : angles_(angles), start_(start) {}
+    explicit Side(const LoopAngles& loop)
+        : angles_(loop.angles), start_(loop.start), last_(static_cast<int>(loop.angles.size()) - 1) {}
 
     BorderSite vertex(int index) {
         last_ = index;
         return {loop_index(index), loop_index(index), 0.0};
     }
 
-    /// A point on the edge after the last vertex.
+    /// A point on the edge after the last vertex; that edge may pass angle 0.
     BorderSite point(double angle) const {
-        const double begin = angles_[last_], end = last_ + 1 < angles_.size() ? angles_[last_ + 1] : kTurn;
+        const bool passes = last_ + 1 == angles_.size();
+        const double begin = angles_[last_], end = passes ? angles_[0] + kTurn : angles_[last_ + 1];
+        if (passes && angle < angles_[0]) angle += kTurn;
         return {loop_index(last_), loop_index(last_ + 1), (angle - begin) / (end - begin)};
     }
 
@@ -98,7 +101,7 @@ private:
     int loop_index(int index) const { return (start_ + index) % static_cast<int>(angles_.size()); }
 
     const Eigen::VectorXd& angles_;
-    int start_, last_ = 0;
+    int start_, last_;
 };
 
 }  // namespace
@@ -128,15 +131,18 @@ Eigen::VectorXd arc_length_angles(const Points& loop, int start) {
 
 BorderUnion border_union(const Points& source_loop, const Points& target_loop, const BorderControl& control) {
     assert(!control.target_reversed);
-    const Eigen::VectorXd source_angles = arc_length_angles(source_loop, control.source);
-    const Eigen::VectorXd target_angles = arc_length_angles(target_loop, control.target);
-    std::vector<Mark> marks = merged(source_angles, target_angles);
+    return border_union(LoopAngles{arc_length_angles(source_loop, control.source), control.source},
+                        LoopAngles{arc_length_angles(target_loop, control.target), control.target});
+}
+
+BorderUnion border_union(const LoopAngles& source_loop, const LoopAngles& target_loop) {
+    std::vector<Mark> marks = merged(source_loop.angles, target_loop.angles);
     match(marks);
 
     BorderUnion u;
-    u.source_size = static_cast<int>(source_loop.rows());
-    u.target_size = static_cast<int>(target_loop.rows());
-    Side source(source_angles, control.source), target(target_angles, control.target);
+    u.source_size = static_cast<int>(source_loop.angles.size());
+    u.target_size = static_cast<int>(target_loop.angles.size());
+    Side source(source_loop), target(target_loop);
     std::vector<double> angles;
     angles.reserve(marks.size());
     for (std::size_t k = 0; k < marks.size(); ++k) {
@@ -156,7 +162,9 @@ BorderUnion border_union(const Points& source_loop, const Points& target_loop, c
         }
     }
 
-    u.angles = Eigen::Map<const Eigen::VectorXd>(angles.data(), static_cast<Eigen::Index>(angles.size()));
+    u.angles =
+        Eigen::Map<const Eigen::VectorXd>(angles.data(), static_cast<Eigen::Index>(angles.size())).array() -
+        angles[0];
     Eigen::VectorXd gaps(u.size());
     for (int k = 0; k < u.size(); ++k) gaps[k] = (k + 1 < u.size() ? u.angles[k + 1] : kTurn) - u.angles[k];
     if (gaps.minCoeff() < kMinimumGap) u.angles = accumulated(widened(gaps));

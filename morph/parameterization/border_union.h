@@ -55,6 +55,14 @@ Eigen::VectorXd arc_length_angles(const Points& loop, int start);
 /// @pre at least 3 vertices each, `control.target_reversed` false
 BorderUnion border_union(const Points& source_loop, const Points& target_loop, const BorderControl& control);
 
+/// The same for angles that are known: angle k of a loop, ascending in [0, 2 pi), belongs to its vertex
+/// (start + k) mod size. [0] of the union is the vertex of smallest angle, which gets angle 0.
+struct LoopAngles {
+    Eigen::VectorXd angles;
+    int start = 0;
+};
+BorderUnion border_union(const LoopAngles& source, const LoopAngles& target);
+
 /// The same union for loops that run the other way round with their first vertices kept (the second halves of
 /// two cut meshes): the same union vertices from the same pairs of loop points with the same ratios in the
 /// same order of operands, so that 3D positions agree to the last bit. Union vertex k becomes (size - k) mod

@@ -93,8 +93,10 @@ Section<RowConfig> row_section() {
     Section<R> table;
     table.keys = {
         required(text("label", &R::label, "what the sheet calls the row")),
-        choice("alignment", &R::alignment, kAlignments,
-               "how the maps are brought together: not at all (Section 3 alone) or by EM-ICP (4.1, 4.2)"),
+        choice(
+            "alignment", &R::alignment, kAlignments,
+            "how the maps are brought together: not at all (Section 3 alone), by EM-ICP (4.1, 4.2), or by a "
+            "dense non-rigid alignment"),
         choice("interpolation", &R::interpolation, kInterpolations,
                "how vertices move: Eq. (12), (13) or (14)"),
         choice("openings", &R::openings, kOpenings,

@@ -150,7 +150,7 @@ TEST_CASE("the command line arrives in full") {
 
     const auto plain = command_of<MorphArguments>({"morph", "a.obj", "b.ply"});
     CHECK(plain.frames == 5);
-    CHECK(plain.options.alignment == Alignment::Registration);
+    CHECK(plain.options.alignment == Alignment::Dense);
     CHECK(plain.interpolation == Interpolation::Slerp);
     CHECK(plain.options.domain == Domain::Auto);
     CHECK(plain.options.lift);

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "morph/mesh/mesh.h"
+
+namespace automorph {
+
+/// A point of a triangle mesh by its barycentric coordinates.
+struct SurfacePlace {
+    std::array<int, 3> corners{-1, -1, -1};             ///< vertices; those without weight may be repeated
+    Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< of the corners, not negative, sum 1
+
+    bool found() const { return corners[0] >= 0; }
+    /// The point in 3D, or its image: `rows` is one row per vertex of the mesh.
+    Eigen::RowVector3d in(const Points& rows) const {
+        return weights[0] * rows.row(corners[0]) + weights[1] * rows.row(corners[1]) +
+               weights[2] * rows.row(corners[2]);
+    }
+};
+
+/// Finds closest points of a mesh whose normals agree with the query's: the one door of morph to Embree,
+/// whose tree narrows the search; distances and choices are made in doubles. Queries may run from several
+/// threads.
+class ClosestPoints {
+public:
+    /// @throws SolverFailure Embree could not be started
+    explicit ClosestPoints(const Mesh& mesh);
+    ~ClosestPoints();
+
+    /// The closest point among the triangles whose unit normal n' has n . n' > `least_agreement`; among
+    /// equally close ones the triangle of smallest index. Not found() where no triangle's normal agrees.
+    SurfacePlace query(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+                       double least_agreement) const;
+
+private:
+    struct Tree;
+    std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace automorph

@@ -1,0 +1,76 @@
+#include "morph/alignment/motion_solver.h"
+
+#include <utility>
+
+#include "morph/mesh/errors.h"
+
+namespace automorph {
+
+namespace {
+
+constexpr double kResidual = 1e-3;  // relative; the rounds correct each other
+constexpr int kMaxIterations = 60;
+constexpr int kQuick = 12;            // more iterations than this: time for a new factorisation
+constexpr double kLeastTrust = 1e-9;  // of the mean trust: keeps the factorisation definite
+
+double dot(const Points& a, const Points& b) {
+    return a.cwiseProduct(b).sum();
+}
+
+}  // namespace
+
+MotionSolver::MotionSolver(Eigen::SparseMatrix<double> prior) : prior_(std::move(prior)) {
+    // The diagonal belongs to the pattern, whatever the mesh.
+    Eigen::SparseMatrix<double> identity(prior_.rows(), prior_.cols());
+    identity.setIdentity();
+    prior_ = (prior_ + 0.0 * identity).eval();
+    prior_.makeCompressed();
+    preconditioner_.analyzePattern(prior_);
+}
+
+void MotionSolver::factorise(const Pulls& pulls, double omega) {
+    Eigen::SparseMatrix<double> A = omega * prior_;
+    double mean = 0.0;
+    for (const Eigen::Matrix3d& Q : pulls.trust) mean += Q.trace() / 3.0;
+    mean /= static_cast<double>(pulls.trust.size());
+    for (Eigen::Index i = 0; i < A.rows(); ++i)
+        A.coeffRef(i, i) += pulls.trust[static_cast<std::size_t>(i)].trace() / 3.0 + kLeastTrust * mean;
+    preconditioner_.factorize(A);
+    if (preconditioner_.info() != Eigen::Success)
+        throw SolverFailure("alignment: the smooth motion's system cannot be factorised");
+    factorised_omega_ = omega;
+    ++factorisations_;
+}
+
+Points MotionSolver::solve(const Pulls& pulls, double omega, const Points& start) {
+    const auto apply = [&](const Points& u) {
+        Points result = omega * (prior_ * u);
+        for (Eigen::Index i = 0; i < u.rows(); ++i)
+            result.row(i) += u.row(i) * pulls.trust[static_cast<std::size_t>(i)];
+        return result;
+    };
+    Points rhs(pulls.pull.rows(), 3);
+    for (Eigen::Index i = 0; i < rhs.rows(); ++i)
+        rhs.row(i) = pulls.pull.row(i) * pulls.trust[static_cast<std::size_t>(i)];
+
+    if (omega != factorised_omega_) factorise(pulls, omega);
+    Points u = start, r = rhs - apply(u), z = preconditioner_.solve(r), p = z;
+    double rz = dot(r, z);
+    const double enough = kResidual * kResidual * rhs.squaredNorm();
+    int iteration = 0;
+    for (; iteration < kMaxIterations && r.squaredNorm() > enough; ++iteration) {
+        const Points Ap = apply(p);
+        const double step = rz / dot(p, Ap);
+        u += step * p;
+        r -= step * Ap;
+        z = preconditioner_.solve(r);
+        const double next = dot(r, z);
+        p = z + next / rz * p;
+        rz = next;
+    }
+    iterations_ += iteration;
+    if (iteration > kQuick) factorised_omega_ = 0.0;  // a new one for the next call
+    return u;
+}
+
+}  // namespace automorph
