@@ -61,6 +61,7 @@ void follow(MappedPart& a, const MappedPart& b, const Guide& guide, Report& repo
     report.alignment.used = true;
     report.alignment.flipped_before = flipped_triangles(a.mesh.F, places);
     report.alignment.moved = late;
+    report.alignment.rounds = 0;  // those of an attempt on the disk
     if (late > kManyLate * a.mesh.vertex_count()) {
         report.notes.push_back(fmt::format(
             "{} of {} vertices of the source follow the dense alignment only as far as the map stays "
