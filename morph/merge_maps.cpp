@@ -28,15 +28,13 @@ Points place_on(const Shape& shape, const std::vector<Site>& sites, bool curved)
     return curved ? lift(shape.mesh.V, shape.normals, sites) : place(shape.mesh.V, sites);
 }
 
-std::vector<char> filling_triangles(const Shape& shape, const Mesh& part, const std::vector<Site>& sites) {
-    std::vector<char> filling(static_cast<std::size_t>(part.triangle_count()), 0);
-    if (shape.centres.empty()) return filling;
-    std::vector<char> is_centre(static_cast<std::size_t>(shape.mesh.vertex_count()), 0);
-    for (const int centre : shape.centres) is_centre[static_cast<std::size_t>(centre)] = 1;
-    for (int f = 0; f < part.triangle_count(); ++f) {
+std::vector<char> filling_triangles(const Shape& shape, const MappedPart& part) {
+    std::vector<char> filling(static_cast<std::size_t>(part.mesh.triangle_count()), 0);
+    if (shape.own_vertices == shape.mesh.vertex_count()) return filling;
+    for (int f = 0; f < part.mesh.triangle_count(); ++f) {
         for (int k = 0; k < 3; ++k) {
-            const Site& corner = sites[static_cast<std::size_t>(part.F(f, k))];
-            if (corner.count == 1 && is_centre[static_cast<std::size_t>(corner.corners[0])])
+            const Site& corner = part.sites[static_cast<std::size_t>(part.mesh.F(f, k))];
+            if (corner.count == 1 && corner.corners[0] >= shape.own_vertices)
                 filling[static_cast<std::size_t>(f)] = 1;
         }
     }
@@ -64,10 +62,12 @@ MergedPair merge_maps(const Shape& shape_a, const MappedPart& a, const Shape& sh
     for (const int vertex : a.loop)
         result.border.push_back(merged.vertex_of_a[static_cast<std::size_t>(vertex)]);
 
+    const std::vector<char> filling_a = filling_triangles(shape_a, a),
+                            filling_b = filling_triangles(shape_b, b);
     for (const int face : triangles.face) {
         const auto fa = static_cast<std::size_t>(merged.face_of_a[static_cast<std::size_t>(face)]);
         const auto fb = static_cast<std::size_t>(merged.face_of_b[static_cast<std::size_t>(face)]);
-        result.in_filling.push_back(a.filling[fa] || b.filling[fb]);
+        result.in_filling.push_back(filling_a[fa] || filling_b[fb]);
     }
     report.overlays.push_back({.vertices_a = a.mesh.vertex_count(),
                                .vertices_b = b.mesh.vertex_count(),

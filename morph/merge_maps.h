@@ -12,17 +12,16 @@ namespace automorph {
 struct Shape {
     Mesh mesh;       ///< openings filled
     Points normals;  ///< #V x 3 unit vertex normals of the unfilled surface; zero at the centres of fillings
-    std::vector<int> centres;  ///< per filled opening: the vertex in the middle of its filling
+    int own_vertices;  ///< vertices beyond these are centres of fillings
 };
 
 /// A mesh on its way to the overlay: the whole of a shape or a part of it, refined (borders inserted, chords
 /// split), and its map.
 struct MappedPart {
     Mesh mesh;
-    std::vector<int> loop;      ///< its border; empty for a closed mesh
-    std::vector<Site> sites;    ///< per vertex: where it lies on the shape
-    std::vector<char> filling;  ///< per triangle: non-zero in a filled opening
-    Points rays;                ///< #V x 3, the map
+    std::vector<int> loop;    ///< its border; empty for a closed mesh
+    std::vector<Site> sites;  ///< per vertex: where it lies on the shape
+    Points rays;              ///< #V x 3, the map
 };
 
 /// Two parts with one connectivity.
@@ -37,8 +36,7 @@ struct MergedPair {
 Points place_on(const Shape& shape, const std::vector<Site>& sites, bool curved);
 
 /// Per triangle of a part: it lies in a filled opening, i.e. one of its corners is the centre of a filling.
-/// @param sites  per vertex of the part: where it lies on the shape
-std::vector<char> filling_triangles(const Shape& shape, const Mesh& part, const std::vector<Site>& sites);
+std::vector<char> filling_triangles(const Shape& shape, const MappedPart& part);
 
 /// Overlay and triangulation of two maps of the same domain, [Urtasun04] Sec. 3. Adds its stages and the
 /// overlay to the report.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "morph/alignment/guide.h"
 #include "morph/merge_disks.h"
 #include "morph/merge_maps.h"
 #include "morph/registration/registration.h"
@@ -8,9 +9,8 @@ namespace automorph {
 
 struct SphereOptions {
     const Registration* registration = nullptr;  ///< brings the maps together; none: they stay as they are
-    const Guide* guide =
-        nullptr;         ///< where an alignment puts the vertices of a: its map follows it as far as it can
-    bool curved = true;  ///< placement of merged vertices
+    const Guide* guide = nullptr;                ///< where the vertices of a belong on b; comes after that
+    bool curved = true;                          ///< placement of merged vertices
     std::uint64_t seed = 1;
 };
 

@@ -6,9 +6,11 @@
 #include <limits>
 #include <optional>
 
+#include "morph/align_disks.h"
 #include "morph/alignment/border_places.h"
 #include "morph/alignment/guide.h"
 #include "morph/cut/cut.h"
+#include "morph/follow.h"
 #include "morph/merge_disks.h"
 #include "morph/merge_spheres.h"
 #include "morph/mesh/admit.h"
@@ -17,6 +19,7 @@
 #include "morph/mesh/geometry.h"
 #include "morph/overlay/lift.h"
 #include "morph/parameterization/fill.h"
+#include "morph/parameterization/map_quality.h"
 #include "morph/registration/registration.h"
 #include "morph/stage_clock.h"
 
@@ -85,6 +88,8 @@ public:
     Points correspondence;
 
 private:
+    bool registers() const { return options_.alignment != Alignment::None; }
+
     void require_domain() const {
         const bool a = source_.report.closed, b = target_.report.closed;
         const bool fits = options_.domain == Domain::Disk  ? !a && !b
@@ -97,8 +102,6 @@ private:
                         source_.report.name, a ? "closed" : "open", target_.report.name,
                         b ? "closed" : "open", disk ? "disk" : "cut", disk ? "open" : "closed"));
     }
-
-    bool registers() const { return options_.alignment != Alignment::None; }
 
     /// Sec. 4.1.
     void register_shapes() {
@@ -133,65 +136,91 @@ private:
             report_.notes.push_back(
                 "the target's border runs the other way round (Eq. 8): its triangles were turned");
         }
-        source_shape_ = open_shape(source_.mesh, source_loops);
-        target_shape_ = open_shape(target_mesh, target_loops);
+        std::vector<int> source_centres, target_centres;
+        source_shape_ = open_shape(source_.mesh, source_loops, source_centres);
+        target_shape_ = open_shape(target_mesh, target_loops, target_centres);
         const Disk a = whole(source_shape_, source_loops[0]), b = whole(target_shape_, target_loops[0]);
         BorderUnion border = border_union(loop_points(a), loop_points(b), control);
-        std::optional<Guide> guide;
-        if (options_.alignment == Alignment::Dense) {
-            guide = align_open({source_.mesh, source_loops, source_shape_.centres},
-                               {target_mesh, target_loops, target_shape_.centres}, border);
-        }
-        BorderedDisks disks = border_disks(source_shape_, a, target_shape_, b, border);
-        if (onto_disk(disks, guide ? &*guide : nullptr)) {
+        align_shapes({source_.mesh, source_loops, source_centres},
+                     {target_mesh, target_loops, target_centres}, &border);
+        BorderedDisks disks = border_disks(a, b, border);
+        if (onto_disk(disks)) {
             report_.domain = "disk";
+            align_features(disks, "");
+            if (guide_ && follow_on_disk(*guide_, disks.a, target_shape_, disks.b, report_)) {
+                report_.maps.front() = aligned_map_report(disks.a);
+            }
             merged_ = merge_maps(source_shape_, disks.a, target_shape_, std::move(disks.b), options_.lift, "",
                                  report_);
         } else {
             report_.domain = "sphere, border locked";
-            merged_ = merge_locked_spheres(source_shape_, target_shape_, disks,
-                                           sphere_options(guide ? &*guide : nullptr), report_);
+            merged_ = merge_locked_spheres(source_shape_, target_shape_, disks, sphere_options(), report_);
         }
         open_fillings();
     }
 
+    /// The dense alignment, if asked for; it places the source's border, if there is one, on the target's.
+    void align_shapes(const AlignedShape& source, const AlignedShape& target, BorderUnion* border) {
+        if (options_.alignment != Alignment::Dense) return;
+        const StageClock clock(report_, "alignment");
+        guide_ = align(source, registration_.apply(source.mesh.V), target, options_.nonrigid);
+        report_.alignment.distance = guide_->distance;
+        if (!border) return;
+        auto aligned = aligned_border(guide_->x(source.loops[0], Eigen::all),
+                                      target.mesh.V(target.loops[0], Eigen::all));
+        if (aligned) {
+            *border = std::move(*aligned);
+        } else {
+            guide_.reset();
+            report_.notes.push_back(
+                "the alignment was given up: the source's border does not run once around "
+                "the target's");
+        }
+    }
+
+    /// Sec. 4.3, if asked for.
+    void align_features(BorderedDisks& disks, const std::string& label) {
+        if (options_.alignment != Alignment::Features) return;
+        const std::vector<char> filling_a = filling_triangles(source_shape_, disks.a),
+                                filling_b = filling_triangles(target_shape_, disks.b);
+        align_disks({disks.a.mesh, disks.a.loop, filling_a, disks.a.rays},
+                    {disks.b.mesh, disks.b.loop, filling_b, disks.b.rays}, label, report_);
+    }
+
+    static MapReport aligned_map_report(const MappedPart& part) {
+        const MapQuality quality = map_quality(part.mesh, part.rays);
+        MapReport map;
+        map.of = "source";
+        map.weights = "aligned";
+        map.p01 = quality.p01;
+        map.smallest_ratio = quality.smallest_ratio;
+        map.flipped = quality.flipped;
+        return map;
+    }
+
     /// Maps an open pair onto the disk if it is to go there. False: onto the sphere.
-    bool onto_disk(BorderedDisks& disks, const Guide* guide) {
+    bool onto_disk(BorderedDisks& disks) {
         if (options_.domain == Domain::Sphere) return false;
-        const std::string defect = map_onto_disk(
-            disks, {.guide = guide, .only_good = options_.domain == Domain::Auto, .label = ""}, report_);
-        if (defect.empty()) return true;
-        report_.notes.push_back("mapped onto the sphere with the border locked; " + defect);
+        if (options_.domain == Domain::Disk) {
+            map_onto_disk(disks, "", report_);
+            return true;
+        }
+        const std::string reason = try_harmonic_disk(disks, report_);
+        if (reason.empty()) return true;
+        report_.notes.push_back("mapped onto the sphere with the border locked: " + reason);
         return false;
     }
 
-    SphereOptions sphere_options(const Guide* guide) const {
+    SphereOptions sphere_options() const {
+        if (options_.alignment == Alignment::Features) {
+            report_.notes.push_back(
+                "curvature features are laid on one another on the disk only; on the sphere "
+                "registered places are (choose the domain disk or cut)");
+        }
         return {.registration = registers() ? &registration_ : nullptr,
-                .guide = guide,
+                .guide = guide_ ? &*guide_ : nullptr,
                 .curved = options_.lift,
                 .seed = options_.seed};
-    }
-
-    /// The dense alignment; it places the source's border too. Empty where that leads nowhere.
-    std::optional<Guide> align_open(const AlignedShape& source, const AlignedShape& target,
-                                    BorderUnion& border) {
-        Guide guide = align_shapes(source, target);
-        const auto aligned =
-            aligned_border(guide.x(source.loops[0], Eigen::all), target.mesh.V(target.loops[0], Eigen::all));
-        if (!aligned) {
-            report_.notes.push_back(
-                "the alignment was given up: the source's border does not run once around the target's");
-            return std::nullopt;
-        }
-        border = *aligned;
-        return guide;
-    }
-
-    Guide align_shapes(const AlignedShape& source, const AlignedShape& target) {
-        const StageClock clock(report_, "alignment");
-        Guide guide = align(source, registration_.apply(source.mesh.V), target);
-        report_.alignment.distance = guide.distance;
-        return guide;
     }
 
     /// Closed shapes; an open one beside a closed one is capped.
@@ -199,13 +228,17 @@ private:
         report_.domain = "sphere";
         source_shape_ = source_.report.closed ? closed_shape(source_.mesh) : capped_shape(source_);
         target_shape_ = target_.report.closed ? closed_shape(target_.mesh) : capped_shape(target_);
-        std::optional<Guide> guide;
-        if (options_.alignment == Alignment::Dense && source_.report.closed && target_.report.closed) {
-            guide = align_shapes({source_.mesh, {}, {}}, {target_.mesh, {}, {}});
-        }
-        merged_ =
-            merge_spheres(source_shape_, target_shape_, sphere_options(guide ? &*guide : nullptr), report_);
+        align_closed();
+        merged_ = merge_spheres(source_shape_, target_shape_, sphere_options(), report_);
         open_fillings();
+    }
+
+    /// Both as wholes without borders. A capped one is left to the warp of the spheres.
+    void align_closed() {
+        if (!source_.report.closed || !target_.report.closed) return;
+        const std::vector<std::vector<int>> no_loops;
+        const std::vector<int> no_centres;
+        align_shapes({source_.mesh, no_loops, no_centres}, {target_.mesh, no_loops, no_centres}, nullptr);
     }
 
     /// All openings filled, the border too, and facing outwards.
@@ -219,7 +252,8 @@ private:
             report_.notes.push_back(
                 fmt::format("{} faced inwards: its triangles were turned", input.report.name));
         }
-        return filled_shape(mesh, loops(mesh));
+        std::vector<int> centres;
+        return filled_shape(mesh, loops(mesh), centres);
     }
 
     /// Sec. 6: a plane cuts both shapes into halves that share the cut as border.
@@ -248,8 +282,9 @@ private:
         const BorderUnion border = border_union(loop_points(a0), loop_points(b0), control);
         const auto merged_half = [&](const Disk& a, const Disk& b, const BorderUnion& shared,
                                      const std::string& label) {
-            BorderedDisks disks = border_disks(source_shape_, a, target_shape_, b, shared);
-            map_onto_disk(disks, {.label = label}, report_);
+            BorderedDisks disks = border_disks(a, b, shared);
+            map_onto_disk(disks, label, report_);
+            align_features(disks, label);
             return merge_maps(source_shape_, disks.a, target_shape_, std::move(disks.b), options_.lift, label,
                               report_);
         };
@@ -265,21 +300,24 @@ private:
     static Points loop_points(const Disk& disk) { return disk.mesh.V(disk.loop, Eigen::all); }
 
     /// All openings but the border are filled.
-    static Shape open_shape(const Mesh& mesh, const std::vector<std::vector<int>>& all_loops) {
-        return filled_shape(mesh, {all_loops.begin() + 1, all_loops.end()});
+    static Shape open_shape(const Mesh& mesh, const std::vector<std::vector<int>>& all_loops,
+                            std::vector<int>& centres) {
+        return filled_shape(mesh, {all_loops.begin() + 1, all_loops.end()}, centres);
     }
 
-    static Shape filled_shape(const Mesh& mesh, const std::vector<std::vector<int>>& openings) {
-        Shape shape = closed_shape(mesh);
+    /// @param centres  set to the centres of the fillings, one per opening
+    static Shape filled_shape(const Mesh& mesh, const std::vector<std::vector<int>>& openings,
+                              std::vector<int>& centres) {
+        Shape shape{mesh, vertex_normals(mesh), mesh.vertex_count()};
         if (openings.empty()) return shape;
         FilledMesh filled = fill_openings(mesh, openings);
         shape.mesh = std::move(filled.mesh);
-        shape.centres = std::move(filled.centres);
+        centres = std::move(filled.centres);
         shape.normals.conservativeResizeLike(Points::Zero(shape.mesh.vertex_count(), 3));
         return shape;
     }
 
-    static Shape closed_shape(const Mesh& mesh) { return {mesh, vertex_normals(mesh), {}}; }
+    static Shape closed_shape(const Mesh& mesh) { return {mesh, vertex_normals(mesh), mesh.vertex_count()}; }
 
     static Disk whole(const Shape& shape, const std::vector<int>& loop) {
         Disk disk{shape.mesh, loop, {}};
@@ -379,6 +417,7 @@ private:
     const MorphOptions& options_;
     Report& report_;
     Registration registration_;
+    std::optional<Guide> guide_;  ///< of the dense alignment
     Shape source_shape_, target_shape_;
     MergedPair merged_;
 };

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "morph/alignment/options.h"
 #include "morph/interpolation/interpolation.h"
 #include "morph/mesh/mesh.h"
 #include "morph/report.h"
@@ -21,6 +22,7 @@ namespace automorph {
 enum class Alignment {
     None,          ///< Section 3 alone: borders start at an arbitrary vertex, no registration
     Registration,  ///< Sections 4.1 and 4.2: EM-ICP, control vertices, direction
+    Features,      ///< Sections 4.1 to 4.3: registration, then curvature features laid on one another
     Dense,         ///< beyond the paper: EM-ICP continued to a smooth non-rigid motion, borders that slide
 };
 
@@ -42,7 +44,8 @@ struct MorphOptions {
     Alignment alignment = Alignment::Dense;
     Openings openings = Openings::Reopen;
     Domain domain = Domain::Auto;
-    bool lift = true;  ///< curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise
+    NonRigidOptions nonrigid{};  ///< of Alignment::Dense
+    bool lift = true;            ///< curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise
     std::uint64_t seed = 1;
 };
 

@@ -45,6 +45,17 @@ Json json(const MapReport& map) {
             {"residual", map.residual}};
 }
 
+Json json(const FeatureReport& features) {
+    return {{"candidates_a", features.candidates_a},
+            {"candidates_b", features.candidates_b},
+            {"matched", features.matched},
+            {"in_place", features.in_place},
+            {"warps", features.warps},
+            {"rounds", features.rounds},
+            {"distance_before", features.distance_before},
+            {"distance_after", features.distance_after}};
+}
+
 Json json(const OverlayReport& overlay) {
     return {{"vertices_a", overlay.vertices_a},   {"vertices_b", overlay.vertices_b},
             {"crossings", overlay.crossings},     {"coincident", overlay.coincident},
@@ -82,6 +93,7 @@ std::string report_json(const Report& report) {
                        {"sphere_alignment", json(report.sphere_alignment)},
                        {"target_reversed", report.target_reversed},
                        {"maps", json(report.maps)},
+                       {"features", json(report.features)},
                        {"overlays", json(report.overlays)},
                        {"reopened_triangles", report.reopened_triangles},
                        {"notes", report.notes},

@@ -43,6 +43,16 @@ struct MapReport {
     double p01 = 0, smallest_ratio = 0, residual = 0;
 };
 
+/// Curvature features of two maps, Sec. 4.3.
+struct FeatureReport {
+    int candidates_a = 0, candidates_b = 0;
+    int matched = 0;
+    int in_place = 0;                                ///< matched ones that the warp laid on one another
+    int warps = 0;                                   ///< the first and those after matching again
+    int rounds = 0;                                  ///< of the warps
+    double distance_before = 0, distance_after = 0;  ///< mean over the matched, in the map (radius 1)
+};
+
 struct OverlayReport {
     int vertices_a = 0, vertices_b = 0, crossings = 0, coincident = 0;
     int snapped =
@@ -71,6 +81,8 @@ struct Report {
     RegistrationReport registration;
     AlignmentReport alignment;
     std::vector<MapReport> maps;
+    std::vector<FeatureReport>
+        features;  ///< one per pair of maps; empty unless they were aligned by features
     std::vector<OverlayReport> overlays;  ///< one, or one per half
     std::string domain;  ///< "disk", "cut into two disks", "sphere" or "sphere, border locked"
     SphereAlignmentReport sphere_alignment;

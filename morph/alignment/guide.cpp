@@ -4,7 +4,6 @@
 
 #include "morph/alignment/border_places.h"
 #include "morph/alignment/border_pull.h"
-#include "morph/alignment/places.h"
 #include "morph/mesh/geometry.h"
 
 namespace automorph {
@@ -49,15 +48,6 @@ Guide align(const AlignedShape& source, const Points& start, const AlignedShape&
         guide.x.row(source.centres[k]) = alignment.x(source.loops[k + 1], Eigen::all).colwise().mean();
     pin_openings(source, target, guide);
     return guide;
-}
-
-Points guided_rays(const Guide& guide, const Mesh& target, const Points& rays) {
-    const std::vector<SurfacePlace> places = places_on(target, guide.x, guide.normals);
-    Points images(guide.x.rows(), 3);
-    for (Eigen::Index v = 0; v < images.rows(); ++v)
-        images.row(v) = places[static_cast<std::size_t>(v)].in(rays);
-    for (const auto& [vertex, place] : guide.pinned) images.row(vertex) = place.in(rays);
-    return images;
 }
 
 }  // namespace automorph

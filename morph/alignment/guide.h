@@ -31,9 +31,4 @@ struct Guide {
 Guide align(const AlignedShape& source, const Points& start, const AlignedShape& target,
             const NonRigidOptions& options = {});
 
-/// Rays for the first #x vertices of the source: the images of their places on the target.
-/// @param target  the target's surface without fillings, borders inserted; pinned places name its vertices
-/// @param rays    the target's map, a row per vertex
-Points guided_rays(const Guide& guide, const Mesh& target, const Points& rays);
-
 }  // namespace automorph

@@ -7,6 +7,7 @@
 #include "morph/alignment/motion_solver.h"
 #include "morph/alignment/places.h"
 #include "morph/alignment/prior.h"
+#include "morph/alignment/soft_matching.h"
 #include "morph/mesh/geometry.h"
 #include "morph/registration/procrustes.h"
 
@@ -17,7 +18,8 @@ namespace automorph {
 
 namespace {
 
-constexpr double kSame = 1e-6;  // of the target's diagonal: some digits above those of files
+constexpr double kNoNormals = 1e6;  // a sigma at which all normals are alike
+constexpr double kSame = 1e-6;      // of the target's diagonal: some digits above those of files
 
 Mesh in_units(const Mesh& mesh, double unit) {
     return {mesh.V / unit, mesh.F};
@@ -109,12 +111,18 @@ NonRigidAlignment align_nonrigid(const Mesh& source, const std::vector<std::vect
     Mesh from{start / unit, source.F};
     if (lies_on(from, to)) return {start, 0.0, 0, 0};
     const SoftMatching matching(oriented_points(to));
-    const auto match = [&](const SoftMatching::Scales& scales) {
-        return matching.match(oriented_points(from), scales);
+    const auto match = [&](const AlignmentLevel& level) {
+        const double normal = options.normals ? level.normal : kNoNormals;
+        SoftMatches matches = matching.match(oriented_points(from), {level.position, normal});
+        if (!options.directional_trust) {
+            for (Eigen::Index i = 0; i < matches.weight.size(); ++i)
+                matches.trust[static_cast<std::size_t>(i)] = matches.weight[i] * Eigen::Matrix3d::Identity();
+        }
+        return matches;
     };
 
     for (int round = 0; round < options.similarity_rounds; ++round)
-        from.V = similar(from.V, match(options.levels.front().scales));
+        from.V = similar(from.V, match(options.levels.front()));
 
     const Points x0 = from.V;
     const MotionPrior prior = motion_prior(from, source_loops);
@@ -124,15 +132,15 @@ NonRigidAlignment align_nonrigid(const Mesh& source, const std::vector<std::vect
 
     NonRigidAlignment result;
     for (const AlignmentLevel& level : options.levels) {
-        for (int round = 0; round < level.rounds; ++round) {
-            SoftMatches matches = match(level.scales);
+        for (int round = 0; round < (options.rounds > 0 ? options.rounds : level.rounds); ++round) {
+            SoftMatches matches = match(level);
             const Points reference = x0 + options.plastic * (from.V - x0);
             result.distance = std::sqrt(
                 ((matches.centre - from.V).rowwise().squaredNorm().array() * matches.weight.array()).sum() /
                 matches.weight.sum());
             Pulls pulls{matches.centre - reference, std::move(matches.trust)};
             borders.add(from.V, reference, pulls);
-            from.V = reference + solver.solve(pulls, level.stiffness, from.V - reference);
+            from.V = reference + solver.solve(pulls, options.stiffness * level.stiffness, from.V - reference);
         }
     }
     result.x = from.V * unit;

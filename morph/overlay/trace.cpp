@@ -12,227 +12,205 @@ namespace automorph {
 
 namespace {
 
-using OpenMesh::FaceHandle;
-using OpenMesh::HalfedgeHandle;
-using OpenMesh::VertexHandle;
 using On = Place::On;
 
 /// Walks one segment through a map.
 class Walker {
 public:
-    Walker(const MapView& map, std::vector<Stretch>& out) : map_(map), topology_(map.topology), out_(out) {}
+    Walker(const MapView& map, const Ray& p, const Ray& q, Place end, std::vector<Stretch>& out)
+        : map_(map), mesh_(map.half_edges), p_(p), q_(q), end_(end), out_(out) {}
 
     /// Appends the stretches of p -> q and returns the place of q.
-    Place walk(const Ray& p, const Ray& q, Place start) {
-        p_ = p;
-        q_ = q;
+    Place run(Place start) {
         Place here = start;
-        const std::size_t first = out_.size(), longest = first + 2 * topology_.n_edges() + 2;
+        const std::size_t longest = out_.size() + 2 * static_cast<std::size_t>(mesh_.count()) + 2;
         for (bool done = false; !done;) {
-            entry_ = HalfedgeHandle();
+            entry_ = -1;
             switch (here.on) {
                 case On::Vertex:
                     done = leave_vertex(here.index);
                     break;
                 case On::Edge:
-                    done = leave_edge(HalfedgeHandle(2 * here.index));
+                    done = leave_edge(here.index);
                     break;
                 case On::Face:
-                    done = leave_face(HalfedgeHandle(topology_.halfedge_handle(FaceHandle(here.index))));
+                    done = leave_face(here.index);
                     break;
             }
-            while (!done && entry_.is_valid()) done = cross_face(entry_);
+            while (!done && entry_ >= 0) done = cross_face(entry_);
             here = out_.back().stop;
             if (out_.size() > longest) outside();
         }
+        if (here.on == On::Edge) here.index = mesh_.edge(here.index);
         return here;
     }
 
 private:
-    Ray ray(VertexHandle v) const { return map_.ray(v.idx()); }
-    VertexHandle from(HalfedgeHandle h) const { return topology_.from_vertex_handle(h); }
-    VertexHandle to(HalfedgeHandle h) const { return topology_.to_vertex_handle(h); }
-    HalfedgeHandle next(HalfedgeHandle h) const { return topology_.next_halfedge_handle(h); }
-    HalfedgeHandle prev(HalfedgeHandle h) const { return topology_.prev_halfedge_handle(h); }
-    HalfedgeHandle opposite(HalfedgeHandle h) const { return topology_.opposite_halfedge_handle(h); }
-    bool has_face(HalfedgeHandle h) const { return !topology_.is_boundary(h); }
-    int side(VertexHandle x) const { return orientation(p_, q_, ray(x)); }
-    /// Sign of q against the edge of h: +1 left of it (inside its triangle).
-    int end_side(HalfedgeHandle h) const { return orientation(ray(from(h)), ray(to(h)), q_); }
+    Ray ray(int v) const { return map_.ray(v); }
+    int side(int x) const { return orientation(p_, q_, ray(x)); }
+    /// Sign of q against half-edge h, where p -> q heads for h from within its triangle: +1 if q lies before
+    /// it.
+    int end_side(int h) const {
+        if (end_.known() && end_.on == On::Face) return HalfEdgeTable::face(h) == end_.index ? 1 : -1;
+        return orientation(ray(mesh_.from(h)), ray(mesh_.to(h)), q_);
+    }
 
     [[noreturn]] static void outside() {
         throw SolverFailure(
             "overlay: an edge of one map leaves the other: the maps do not cover the same domain");
     }
 
-    void stop(int carrier, bool along, On on, int index) { out_.push_back({carrier, along, {on, index}}); }
+    void stop(int left, int right, On on, int index) { out_.push_back({left, right, {on, index}}); }
 
     /// From vertex v, either along an edge or into a triangle. Returns true at q.
-    bool leave_vertex(int vertex) {
-        const VertexHandle v(vertex);
-        const HalfedgeHandle first = topology_.halfedge_handle(v);
-        HalfedgeHandle h = first;
+    bool leave_vertex(int v) {
+        const int first = mesh_.outgoing(v);
+        int h = first;
         do {
-            if (has_face(h)) {
-                const HalfedgeHandle last = opposite(prev(h));  // the other side of the wedge
-                const int s = orientation(ray(v), ray(to(h)), q_);
-                if (s == 0 && orientation(ray(v), q_, ray(to(last))) > 0) return run_along(h);
-                if (s > 0) {
-                    const int s_last = orientation(ray(v), ray(to(last)), q_);
-                    if (s_last == 0) return run_along(last);
-                    if (s_last < 0) return leave_through(topology_.face_handle(h).idx(), next(h));
-                }
+            const int last = HalfEdgeTable::prev(h);  // the other side of the wedge, from w to v
+            const int s = orientation(ray(v), ray(mesh_.to(h)), q_);
+            if (s == 0 && orientation(ray(v), q_, ray(mesh_.from(last))) > 0) return run_along(h, true);
+            if (s > 0) {
+                const int s_last = orientation(ray(v), ray(mesh_.from(last)), q_);
+                if (s_last == 0) return run_along(last, false);
+                if (s_last < 0) return leave_through(HalfEdgeTable::next(h));
             }
-            h = opposite(prev(h));
-        } while (h != first);
+            h = mesh_.turn(h);
+        } while (h >= 0 && h != first);
         outside();
     }
 
-    /// From the inside of an edge, either along it or into one of its triangles.
-    bool leave_edge(HalfedgeHandle h) {
-        const int s = end_side(h);
-        if (s < 0) h = opposite(h);
-        if (s != 0) {
-            if (!has_face(h)) outside();
-            return cross_face(h);
+    /// From the inside of the edge of h, either along it or into one of its triangles.
+    bool leave_edge(int h) {
+        const int s = orientation(ray(mesh_.from(h)), ray(mesh_.to(h)), q_);
+        if (s == 0) {
+            const bool forward =
+                side(mesh_.apex(h)) > 0;  // p x q and u x v are parallel; w tells their signs apart
+            return run_along(h, forward);
         }
-        if (!has_face(h)) h = opposite(h);
-        const bool forward =
-            side(to(next(h))) > 0;  // p x q and u x v are parallel; w tells their signs apart
-        return run_along(forward ? h : opposite(h));
+        if (s < 0) h = mesh_.opposite(h);
+        if (h < 0) outside();
+        return cross_face(h);
     }
 
-    /// From the inside of the triangle of h.
-    bool leave_face(HalfedgeHandle h) {
-        const int face = topology_.face_handle(h).idx();
-        for (int k = 0; k < 3; ++k, h = next(h)) {
-            const int s_from = side(from(h)), s_to = side(to(h));
-            if (s_from < 0 && s_to > 0) return leave_through(face, h);
-            if (s_from == 0 && s_to > 0 && side(from(prev(h))) < 0) return leave_by_vertex(face, h);
+    /// From the inside of a triangle.
+    bool leave_face(int face) {
+        if (end_.on == On::Face && end_.index == face) {
+            stop(face, face, On::Face, face);
+            return true;
+        }
+        const int h = 3 * face;
+        const int s[3] = {side(mesh_.from(h)), side(mesh_.from(h + 1)), side(mesh_.from(h + 2))};
+        for (int k = 0; k < 3; ++k) {
+            if (s[(k + 1) % 3] <= 0) continue;
+            if (s[k] < 0) return leave_through(h + k);
+            if (s[k] == 0 && s[(k + 2) % 3] < 0) return leave_by_vertex(h + k);
         }
         outside();
     }
 
     /// Through the triangle of h, entered by crossing h: its start is left of p -> q, its end right.
-    bool cross_face(HalfedgeHandle h) {
-        const int face = topology_.face_handle(h).idx();
-        const HalfedgeHandle right = next(h), left = prev(h);
-        const int s = side(to(right));
-        if (s > 0) return leave_through(face, right);
-        if (s < 0) return leave_through(face, left);
-        return leave_by_vertex(face, left);
+    bool cross_face(int h) {
+        const int s = side(mesh_.apex(h));
+        if (s > 0) return leave_through(HalfEdgeTable::next(h));
+        if (s < 0) return leave_through(HalfEdgeTable::prev(h));
+        return leave_by_vertex(HalfEdgeTable::prev(h));
     }
 
-    /// The segment heads for the inside of h, from within `face`.
-    bool leave_through(int face, HalfedgeHandle h) {
-        const int s = end_side(h);
-        const int edge = topology_.edge_handle(h).idx();
+    /// The segment heads for the inside of h, from within its triangle.
+    bool leave_through(int h) {
+        const int s = end_side(h), face = HalfEdgeTable::face(h);
         if (s > 0) {
-            stop(face, false, On::Face, face);
+            stop(face, face, On::Face, face);
             return true;
         }
-        stop(face, false, On::Edge, edge);
+        stop(face, face, On::Edge, h);
         if (s == 0) return true;
-        entry_ = opposite(h);
-        if (!has_face(entry_)) outside();
+        entry_ = mesh_.opposite(h);
+        if (entry_ < 0) outside();
         return false;
     }
 
-    /// The segment heads for the start of h, from within `face`.
-    bool leave_by_vertex(int face, HalfedgeHandle h) {
-        const int s = end_side(h);
-        entry_ = HalfedgeHandle();
+    /// The segment heads for the start of h, from within its triangle.
+    bool leave_by_vertex(int h) {
+        const int s = end_side(h), face = HalfEdgeTable::face(h);
+        entry_ = -1;
         if (s > 0) {
-            stop(face, false, On::Face, face);
+            stop(face, face, On::Face, face);
             return true;
         }
-        stop(face, false, On::Vertex, from(h).idx());
+        stop(face, face, On::Vertex, mesh_.from(h));
         return s == 0;
     }
 
-    /// The segment runs along h.
-    bool run_along(HalfedgeHandle h) {
+    /// The segment runs along h, or against it.
+    bool run_along(int h, bool forward) {
         // q lies before the end of h iff det[q to w] has the sign of det[from to w].
-        const bool left = has_face(h);
-        const VertexHandle w = to(next(left ? h : opposite(h)));
-        const int s = orientation(q_, ray(to(h)), ray(w)) * (left ? 1 : -1);
-        if (s > 0) {
-            stop(h.idx(), true, On::Edge, topology_.edge_handle(h).idx());
-            return true;
-        }
-        stop(h.idx(), true, On::Vertex, to(h).idx());
-        return s == 0;
+        const int here = HalfEdgeTable::face(h), across = mesh_.face_across(h);
+        const int head = forward ? mesh_.to(h) : mesh_.from(h);
+        const int s = orientation(q_, ray(head), ray(mesh_.apex(h))) * (forward ? 1 : -1);
+        stop(forward ? here : across, forward ? across : here, s > 0 ? On::Edge : On::Vertex,
+             s > 0 ? h : head);
+        return s >= 0;
     }
 
     const MapView& map_;
-    const Connectivity& topology_;
+    const HalfEdgeTable& mesh_;
+    const Ray p_, q_;
+    const Place end_;
     std::vector<Stretch>& out_;
-    Ray p_, q_;
-    HalfedgeHandle entry_;  ///< the half-edge by which the next triangle is entered, if an edge was crossed
+    int entry_ = -1;  ///< the half-edge by which the next triangle is entered, if an edge was crossed
 };
 
-std::optional<Place> place_in_triangle(const MapView& map, FaceHandle f, const Ray& point) {
-    const HalfedgeHandle h = map.topology.halfedge_handle(f);
-    HalfedgeHandle zero[2];
-    int zeros = 0;
-    HalfedgeHandle g = h;
-    for (int k = 0; k < 3; ++k, g = map.topology.next_halfedge_handle(g)) {
-        const int s = orientation(map.ray(map.topology.from_vertex_handle(g).idx()),
-                                  map.ray(map.topology.to_vertex_handle(g).idx()), point);
+std::optional<Place> place_in_triangle(const MapView& map, int face, const Ray& point) {
+    const HalfEdgeTable& mesh = map.half_edges;
+    int zeros = 0, zero[2] = {-1, -1};
+    for (int h = 3 * face; h < 3 * face + 3; ++h) {
+        const int s = orientation(map.ray(mesh.from(h)), map.ray(mesh.to(h)), point);
         if (s < 0) return std::nullopt;
-        if (s == 0 && zeros < 2) zero[zeros++] = g;
+        if (s == 0 && zeros < 2) zero[zeros++] = h;
     }
-    if (zeros == 0) return Place{On::Face, f.idx()};
-    if (zeros == 1) return Place{On::Edge, map.topology.edge_handle(zero[0]).idx()};
-    const bool consecutive = map.topology.next_halfedge_handle(zero[0]) == zero[1];
-    return Place{On::Vertex, map.topology.to_vertex_handle(consecutive ? zero[0] : zero[1]).idx()};
+    if (zeros == 0) return Place{On::Face, face};
+    if (zeros == 1) return Place{On::Edge, mesh.edge(zero[0])};
+    return Place{On::Vertex, mesh.to(HalfEdgeTable::next(zero[0]) == zero[1] ? zero[0] : zero[1])};
 }
 
 }  // namespace
 
 Place locate(const MapView& map, const Ray& point) {
-    for (int f = 0; f < static_cast<int>(map.topology.n_faces()); ++f) {
-        if (const auto place = place_in_triangle(map, FaceHandle(f), point)) return *place;
+    for (int f = 0; f < map.half_edges.face_count(); ++f) {
+        if (const auto place = place_in_triangle(map, f, point)) return *place;
     }
     throw SolverFailure(fmt::format("overlay: no triangle of the map contains the ray ({}, {}, {})",
                                     point.x(), point.y(), point.z()));
 }
 
-EdgeTraces trace_edges(const MapView& traced, const MapView& through, int seed_vertex, Place seed_place) {
-    const Connectivity& topology = traced.topology;
-    EdgeTraces result;
-    result.of_edge.resize(topology.n_edges());
-    result.place.resize(topology.n_vertices());
-    result.stretches.reserve(4 * topology.n_edges());
-    Walker walker(through, result.stretches);
-
-    std::vector<int> queue{seed_vertex};
-    queue.reserve(topology.n_vertices());
-    result.place[static_cast<std::size_t>(seed_vertex)] = seed_place;
-    for (std::size_t next = 0; next < queue.size(); ++next) {
-        const VertexHandle v(queue[next]);
-        for (auto out = topology.cvoh_begin(v); out.is_valid(); ++out) {
-            const HalfedgeHandle h = *out;
-            auto& trace = result.of_edge[static_cast<std::size_t>(topology.edge_handle(h).idx())];
-            if (trace.halfedge >= 0) continue;
-            const int u = topology.to_vertex_handle(h).idx();
-            trace.halfedge = h.idx();
-            trace.begin = static_cast<int>(result.stretches.size());
-            const Place end = walker.walk(traced.ray(v.idx()), traced.ray(u),
-                                          result.place[static_cast<std::size_t>(v.idx())]);
-            trace.end = static_cast<int>(result.stretches.size());
-            Place& known = result.place[static_cast<std::size_t>(u)];
-            if (known.index < 0) {
-                known = end;
-                queue.push_back(u);
-            } else if (known != end) {
-                throw SolverFailure(
-                    fmt::format("overlay: vertex {} of a map is reached at two places: the maps are not "
-                                "one-to-one on the same domain",
-                                u));
-            }
-        }
+Place walk(const MapView& map, const Ray& p, const Ray& q, Place start, Place end,
+           std::vector<Stretch>& out) {
+    const Place found = Walker(map, p, q, end, out).run(start);
+    if (end.known() && found != end) {
+        throw SolverFailure(
+            "overlay: a vertex of a map is reached at two places: the maps are not one-to-one on the same "
+            "domain");
     }
+    return found;
+}
+
+EdgeTraces trace_edges(const MapView& traced, const MapView& through, int seed_vertex, Place seed_place) {
+    const HalfEdgeTable& mesh = traced.half_edges;
+    const auto edges = static_cast<std::size_t>(mesh.vertex_count() + mesh.face_count());
+    EdgeTraces result;
+    result.place.resize(static_cast<std::size_t>(mesh.vertex_count()));
+    result.traces.reserve(edges);
+    result.stretches.reserve(4 * edges);
+    result.place[static_cast<std::size_t>(seed_vertex)] = seed_place;
+    spread(mesh, seed_vertex, [&](int h) {
+        const auto from = static_cast<std::size_t>(mesh.from(h)), to = static_cast<std::size_t>(mesh.to(h));
+        const auto begin = static_cast<int>(result.stretches.size());
+        result.place[to] = walk(through, traced.ray(mesh.from(h)), traced.ray(mesh.to(h)), result.place[from],
+                                result.place[to], result.stretches);
+        result.traces.push_back({h, begin, static_cast<int>(result.stretches.size())});
+    });
     return result;
 }
 

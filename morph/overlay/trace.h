@@ -3,13 +3,13 @@
 #include <vector>
 
 #include "morph/exact/predicates.h"
-#include "morph/mesh/connectivity.h"
+#include "morph/mesh/half_edge_table.h"
 
 namespace automorph {
 
 /// A map as the tracer sees it: connectivity and one ray per vertex.
 struct MapView {
-    const Connectivity& topology;
+    const HalfEdgeTable& half_edges;
     const Points& rays;
 
     Ray ray(int vertex) const { return rays.row(vertex); }
@@ -19,36 +19,44 @@ struct MapView {
 struct Place {
     enum class On : char { Vertex, Edge, Face };
     On on = On::Vertex;
-    int index = -1;
+    int index = -1;  ///< vertex, half-edge, triangle; -1: not known
 
+    bool known() const { return index >= 0; }
     friend bool operator==(const Place&, const Place&) = default;
 };
 
-/// One piece of a traced segment: it runs through the inside of a triangle, or along a half-edge, up to
-/// `stop`.
+/// One piece of a traced segment: it runs through the inside of a triangle (left == right), or along an edge,
+/// up to `stop`.
 struct Stretch {
-    int carrier;  ///< triangle; or the half-edge in the direction of travel if `along`
-    bool along;
-    Place stop;  ///< a vertex met, an edge crossed, or the place of the segment's end
+    int left, right;  ///< triangles on either side, -1 outside the border
+    Place stop;  ///< a vertex met, an edge crossed (the half-edge of the triangle left), or the segment's end
 };
 
 /// Every edge of one map walked through the other.
 struct EdgeTraces {
     struct Trace {
-        int halfedge = -1;       ///< of the traced map, in the direction of travel
-        int begin = 0, end = 0;  ///< range in `stretches`
+        int halfedge;    ///< of the traced map, in the direction of travel
+        int begin, end;  ///< range in `stretches`
     };
-    std::vector<Trace> of_edge;  ///< per edge
+    std::vector<Trace> traces;  ///< one per edge
     std::vector<Stretch> stretches;
-    std::vector<Place> place;  ///< per vertex of the traced map: where it lies in the other
+    std::vector<Place>
+        place;  ///< per vertex of the traced map: where it lies in the other; edges by HalfEdgeTable::edge
 };
 
 /// The place of a point in a map by testing every triangle: exact, O(#F).
 /// @throws SolverFailure if no triangle contains it
 Place locate(const MapView& map, const Ray& point);
 
+/// Walks p -> q through a map by exact signs of det[a b c], appends its stretches to `out`, returns the place
+/// of q.
+/// @param start  place of p
+/// @param end    place of q if known: spares tests where it is in a triangle
+/// @throws SolverFailure if the walk leaves the map
+Place walk(const MapView& map, const Ray& p, const Ray& q, Place start, Place end, std::vector<Stretch>& out);
+
 /// Walks every edge of `traced` through `through`, starting from one vertex of known place and following
-/// edges from there. All decisions are exact signs of det[a b c].
+/// edges from there.
 /// @throws SolverFailure if a trace leaves `through`: the maps do not cover the same domain
 EdgeTraces trace_edges(const MapView& traced, const MapView& through, int seed_vertex, Place seed_place);
 

@@ -45,6 +45,7 @@ struct RowConfig {
     Interpolation interpolation = Interpolation::Slerp;
     Openings openings = Openings::Reopen;
     Domain domain = Domain::Auto;
+    NonRigidOptions nonrigid;  ///< of the dense alignment
     bool lift = true;
 };
 

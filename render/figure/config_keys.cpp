@@ -88,15 +88,38 @@ Section<MeshConfig> mesh_section() {
     return table;
 }
 
+Section<NonRigidOptions> nonrigid_section() {
+    using N = NonRigidOptions;
+    constexpr Range kShare = {0, 1}, kFactor = {0, 1e6};
+    Section<N> table;
+    table.keys = {
+        value("stiffness", &N::stiffness, {1e-6, 1e6},
+              "factor on how much smoothness weighs against matches"),
+        value("rounds", &N::rounds, {0, 1000}, "of matching on each of the six levels; 0: 3 or 4"),
+        value("membrane", &N::membrane, kFactor, "smoothness: against stretching"),
+        value("bending", &N::bending, kFactor, "smoothness: against bending"),
+        value("border_bending", &N::border_bending, kFactor, "smoothness: against bends of the borders"),
+        value("border", &N::border, kFactor, "weight of the pull of borders onto one another"),
+        value("slide", &N::slide, kShare, "share of that pull which is not felt along the border"),
+        value("plastic", &N::plastic, kShare, "how much of the motion so far becomes the shape at rest"),
+        value("similarity_rounds", &N::similarity_rounds, {0, 1000},
+              "of turning, shifting and scaling before anything bends"),
+        flag("normals", &N::normals, "matches heed normals"),
+        flag("directional_trust", &N::directional_trust,
+             "matches pull weakly along surfaces that look alike along them"),
+    };
+    return table;
+}
+
 Section<RowConfig> row_section() {
     using R = RowConfig;
     Section<R> table;
     table.keys = {
         required(text("label", &R::label, "what the sheet calls the row")),
-        choice(
-            "alignment", &R::alignment, kAlignments,
-            "how the maps are brought together: not at all (Section 3 alone), by EM-ICP (4.1, 4.2), or by a "
-            "dense non-rigid alignment"),
+        choice("alignment", &R::alignment, kAlignments,
+               "how the maps are brought together: not at all (Section 3 alone), by EM-ICP (4.1, 4.2), by "
+               "EM-ICP "
+               "and curvature features (4.3), or by a dense non-rigid alignment"),
         choice("interpolation", &R::interpolation, kInterpolations,
                "how vertices move: Eq. (12), (13) or (14)"),
         choice("openings", &R::openings, kOpenings,
@@ -106,6 +129,7 @@ Section<RowConfig> row_section() {
                "closed "
                "shapes (Section 6); auto takes the sphere for closed shapes and where the disk map squeezes "
                "open ones"),
+        section("nonrigid", &R::nonrigid, nonrigid_section(), "of the alignment `dense`"),
         flag("lift", &R::lift, "curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise"),
     };
     return table;

@@ -36,7 +36,8 @@ void tell(const Progress& progress, const std::string& task, double fraction) {
 
 /// Rows with the same options share their morph.
 bool same_morph(const RowConfig& a, const RowConfig& b) {
-    return a.alignment == b.alignment && a.openings == b.openings && a.domain == b.domain && a.lift == b.lift;
+    return a.alignment == b.alignment && a.openings == b.openings && a.domain == b.domain &&
+           a.lift == b.lift && a.nonrigid == b.nonrigid;
 }
 
 /// Computes each different morph once and fills in morphs and rows; returns the frames of each row.
@@ -57,8 +58,14 @@ std::vector<FrameSequence> compute_rows(const FigureConfig& config, const Figure
         const RowConfig& row = config.rows[first];
         const std::string task = fmt::format("morph of row {} ({})", first + 1, row.label);
         tell(options.progress, task, 0);
-        const Morph result =
-            morph(source, target, {row.alignment, row.openings, row.domain, row.lift, config.seed});
+        MorphOptions morph_options;
+        morph_options.alignment = row.alignment;
+        morph_options.openings = row.openings;
+        morph_options.domain = row.domain;
+        morph_options.nonrigid = row.nonrigid;
+        morph_options.lift = row.lift;
+        morph_options.seed = config.seed;
+        const Morph result = morph(source, target, morph_options);
         for (std::size_t i = first; i < config.rows.size(); ++i) {
             if (!same_morph(row, config.rows[i])) continue;
             sequences[i] = frames_of(result, config.alphas, config.rows[i].interpolation);

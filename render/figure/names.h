@@ -15,9 +15,9 @@ struct Named {
     E value;
 };
 
-inline constexpr std::array kAlignments{Named<Alignment>{"none", Alignment::None},
-                                        Named<Alignment>{"registration", Alignment::Registration},
-                                        Named<Alignment>{"dense", Alignment::Dense}};
+inline constexpr std::array kAlignments{
+    Named<Alignment>{"none", Alignment::None}, Named<Alignment>{"registration", Alignment::Registration},
+    Named<Alignment>{"features", Alignment::Features}, Named<Alignment>{"dense", Alignment::Dense}};
 inline constexpr std::array kInterpolations{Named<Interpolation>{"linear", Interpolation::Linear},
                                             Named<Interpolation>{"rigid-linear", Interpolation::RigidLinear},
                                             Named<Interpolation>{"slerp", Interpolation::Slerp}};

@@ -41,6 +41,10 @@ void add_maps(std::string& text, const Report& report) {
         text += fmt::format("map           {}: {}{}, {} flipped, p01 {:.2g}\n", map.of, map.weights,
                             map.reason.empty() ? "" : " (" + map.reason + ")", map.flipped, map.p01);
     }
+    for (const FeatureReport& features : report.features) {
+        text += fmt::format("features      {} candidates, {} matched, {} laid on one another\n",
+                            features.candidates_a, features.matched, features.in_place);
+    }
     for (const OverlayReport& overlay : report.overlays) {
         text += fmt::format("overlay       {} + {} vertices + {} crossings -> {} vertices, {} triangles\n",
                             overlay.vertices_a, overlay.vertices_b, overlay.crossings, overlay.vertices,

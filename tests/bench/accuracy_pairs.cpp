@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -100,9 +101,9 @@ std::vector<AccuracyPair> real_pairs(const std::string& folder) {
         AccuracyPair pair;
         pair.source = read(std::filesystem::path(folder) / pose.source);
         pair.target = read(std::filesystem::path(folder) / pose.target);
-        pair.rotation = pose.R;
         pair.name = file.filename().string().substr(3);
         pair.name.resize(pair.name.find('.'));
+        pair.group = pair.name.substr(pair.name.rfind('_') + 1);
         std::ifstream truth(std::filesystem::path(folder) / ("gt_" + pair.name + ".csv"));
         std::string line;
         std::getline(truth, line);
@@ -138,6 +139,7 @@ std::vector<AccuracyPair> synthetic_pairs(const std::string& folder) {
             const Warp warp(pair.target.V, share, seed++);
             pair.truth = warp((pair.source.V * pose.R.transpose()).rowwise() + pose.t.transpose());
             pair.target.V = warp(pair.target.V);
+            pair.group = "synthetic";
             pair.name = fmt::format("{} warped {:.0f} %", std::filesystem::path(unposed).stem().string(),
                                     100 * share);
             pair.scored.assign(static_cast<std::size_t>(pair.source.vertex_count()), 1);
@@ -147,12 +149,57 @@ std::vector<AccuracyPair> synthetic_pairs(const std::string& folder) {
     return pairs;
 }
 
+std::vector<AccuracyPair> reversed_pairs(const std::vector<AccuracyPair>& pairs) {
+    std::vector<AccuracyPair> reversed;
+    for (const AccuracyPair& pair : pairs) {
+        AccuracyPair back;
+        back.name = pair.name + ", back";
+        back.group = pair.group + ", back";
+        back.source = pair.target;
+        back.target = pair.source;
+        back.truth = pair.source.V;
+        back.scored = pair.scored;
+        const ClosestPoints closest(pair.target);
+        for (Eigen::Index i = 0; i < pair.truth.rows(); ++i)
+            back.places.push_back(closest.query(pair.truth.row(i), Eigen::Vector3d::Zero(), -2.0));
+        reversed.push_back(std::move(back));
+    }
+    return reversed;
+}
+
+std::vector<AccuracyPair> noisy_pairs(const std::string& folder) {
+    std::vector<AccuracyPair> pairs;
+    for (AccuracyPair& pair : synthetic_pairs(folder)) {
+        if (!pair.name.ends_with("2 %")) continue;
+        AccuracyPair mirrored = pair;
+        for (Mesh* mesh : {&mirrored.source, &mirrored.target}) {
+            mesh->V.col(0) *= -1.0;
+            mesh->F.col(1).swap(mesh->F.col(2));
+        }
+        mirrored.truth.col(0) *= -1.0;
+        mirrored.group = "mirrored";
+        pairs.push_back(std::move(mirrored));
+
+        Random random(pairs.size());
+        const double size = 0.005 * bounding_box_diagonal(pair.target.V);
+        // Uniform in a ball of radius r has a root mean square of sqrt(3/5) r.
+        for (Eigen::Index i = 0; i < pair.target.V.rows(); ++i)
+            pair.target.V.row(i) += size * std::sqrt(5.0 / 3.0) * random.in_ball<3>().transpose();
+        pair.group = "noise 0.5 %";
+        pairs.push_back(std::move(pair));
+    }
+    return pairs;
+}
+
 AccuracyScore score(const AccuracyPair& pair, const Points& predicted) {
     const double unit = bounding_box_diagonal(pair.target.V) / 100.0;
     std::vector<double> errors;
-    for (Eigen::Index i = 0; i < predicted.rows(); ++i) {
-        if (pair.scored[static_cast<std::size_t>(i)])
-            errors.push_back((predicted.row(i) - pair.truth.row(i)).norm() / unit);
+    for (Eigen::Index i = 0; i < pair.truth.rows(); ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        if (!pair.scored[at]) continue;
+        const Eigen::RowVector3d point =
+            pair.places.empty() ? Eigen::RowVector3d(predicted.row(i)) : pair.places[at].in(predicted);
+        errors.push_back((point - pair.truth.row(i)).norm() / unit);
     }
     std::sort(errors.begin(), errors.end());
     AccuracyScore result;

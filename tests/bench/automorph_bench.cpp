@@ -4,12 +4,16 @@
 #include <vector>
 
 #include "overlay_bench.h"
+#include "tests/bench/accuracy_bench.h"
 
 namespace {
 
 constexpr const char* kHelp =
     "automorph_bench overlay [A.off B.off]...   the overlay of disk maps beside CGAL's Arrangement_2;\n"
-    "                                           without files: pairs of the example meshes in build/meshes\n";
+    "                                           without files: pairs of the example meshes in build/meshes\n"
+    "automorph_bench accuracy [--ablation] [DIR]  the correspondence of whole morphs against ground truth "
+    "in\n"
+    "                                           DIR (default ../shared/meshes), and what each part gives\n";
 
 }  // namespace
 
@@ -18,6 +22,8 @@ int main(int argc, char** argv) {
     try {
         if (!arguments.empty() && arguments[0] == "overlay")
             return automorph::bench::overlay_bench({arguments.begin() + 1, arguments.end()});
+        if (!arguments.empty() && arguments[0] == "accuracy")
+            return automorph::bench::accuracy_bench({arguments.begin() + 1, arguments.end()});
         std::fputs(kHelp, arguments.empty() || arguments[0] == "help" ? stdout : stderr);
         return arguments.empty() || arguments[0] == "help" ? 0 : 2;
     } catch (const std::exception& error) {

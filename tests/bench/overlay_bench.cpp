@@ -71,7 +71,7 @@ bool compare(const Pair& files) {
     const Points rays_b = disk_map(mesh_b, border.target.loop, circle).rays;
 
     Overlay ours;
-    const double our_seconds = median_seconds(9, [&] { ours = overlay(mesh_a, rays_a, mesh_b, rays_b); });
+    const double our_seconds = median_seconds(31, [&] { ours = overlay(mesh_a, rays_a, mesh_b, rays_b); });
     const CgalOverlay cgal(mesh_a, rays_a, mesh_b, rays_b);
     CgalOverlay::Counts theirs{};
     const double their_seconds = median_seconds(3, [&] { theirs = cgal.run(); });

@@ -59,8 +59,8 @@ TEST_CASE("the common border holds every vertex of both loops at its place") {
     for (int k = 0; k < border->size(); ++k) {
         of_source += border->source[static_cast<std::size_t>(k)].is_vertex();
         of_target += border->target[static_cast<std::size_t>(k)].is_vertex();
-        const auto gap = position(source, border->source[static_cast<std::size_t>(k)]) -
-                         position(target, border->target[static_cast<std::size_t>(k)]);
+        const Eigen::Vector3d gap = position(source, border->source[static_cast<std::size_t>(k)]) -
+                                    position(target, border->target[static_cast<std::size_t>(k)]);
         CHECK(gap.norm() < 0.02);
         if (k > 0) CHECK(border->angles[k] > border->angles[k - 1]);
     }
