@@ -2,17 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <numbers>
-
 #include "morph/alignment/places.h"
 #include "morph/overlay/lift.h"
+#include "morph/parameterization/guided_map.h"
 #include "morph/parameterization/map_quality.h"
+#include "morph/sphere_alignment/movable_map.h"
 #include "morph/stage_clock.h"
 
 namespace automorph {
 
 namespace {
+
+/// Share of the source's vertices above which those that cannot follow on the sphere are worth a note.
+constexpr double kManyLate = 0.2;
 
 /// The part without the triangles of fillings.
 Mesh surface_of(const Shape& shape, const MappedPart& part) {
@@ -26,15 +28,8 @@ Mesh surface_of(const Shape& shape, const MappedPart& part) {
     return surface;
 }
 
-bool covers_as_before(const Mesh& mesh, const Points& before, const Points& after) {
-    return std::abs(total_solid_angle(mesh.F, before) - total_solid_angle(mesh.F, after)) < std::numbers::pi;
-}
-
-}  // namespace
-
-bool follow(const Guide& guide, MappedPart& a, const Shape& shape_b, const MappedPart& b, MapDomain domain,
-            Report& report) {
-    const StageClock clock(report, "guided map");
+/// Where a's vertices belong in b's map; the loop's vertices are where they are.
+Points places_in(const Guide& guide, const MappedPart& a, const Shape& shape_b, const MappedPart& b) {
     // Vertices of the part, refined ones included, at their places on the moved source.
     const Points x = place(guide.x, a.sites), normals = place(guide.normals, a.sites);
     const std::vector<SurfacePlace> on_b = places_on(surface_of(shape_b, b), x, normals);
@@ -42,18 +37,22 @@ bool follow(const Guide& guide, MappedPart& a, const Shape& shape_b, const Mappe
     for (Eigen::Index v = 0; v < x.rows(); ++v) places.row(v) = on_b[static_cast<std::size_t>(v)].in(b.rays);
     // Vertices of shapes come first in their parts and keep their numbers.
     for (const auto& [vertex, place] : guide.pinned) places.row(vertex) = place.in(b.rays);
-    if (domain == MapDomain::Sphere) places.rowwise().normalize();
-    std::vector<char> fixed(a.sites.size(), 0);
-    for (const int v : a.loop) {
-        places.row(v) = a.rays.row(v);
-        fixed[static_cast<std::size_t>(v)] = 1;
-    }
+    for (const int v : a.loop) places.row(v) = a.rays.row(v);
+    return places;
+}
 
-    GuidedMap map = guided_map(a.mesh, fixed, places, domain);
+}  // namespace
+
+bool follow_on_disk(const Guide& guide, MappedPart& a, const Shape& shape_b, const MappedPart& b,
+                    Report& report) {
+    const StageClock clock(report, "guided map");
+    std::vector<char> fixed(a.sites.size(), 0);
+    for (const int v : a.loop) fixed[static_cast<std::size_t>(v)] = 1;
+    GuidedMap map = guided_map(a.mesh, fixed, places_in(guide, a, shape_b, b), MapDomain::Disk);
     report.alignment.flipped_before = map.flipped_before;
     report.alignment.moved = map.moved;
     report.alignment.rounds = map.rounds;
-    if (map.flipped > 0 || !map.rays.allFinite() || !covers_as_before(a.mesh, a.rays, map.rays)) {
+    if (map.flipped > 0 || !map.rays.allFinite()) {
         report.notes.push_back(fmt::format(
             "the dense alignment was given up: {} triangles of the source could not be turned back",
             map.flipped));
@@ -62,6 +61,24 @@ bool follow(const Guide& guide, MappedPart& a, const Shape& shape_b, const Mappe
     a.rays = std::move(map.rays);
     report.alignment.used = true;
     return true;
+}
+
+void follow_on_sphere(const Guide& guide, MappedPart& a, const Shape& shape_b, const MappedPart& b,
+                      Report& report) {
+    const StageClock clock(report, "guided map");
+    const Points places = places_in(guide, a, shape_b, b).rowwise().normalized();
+    report.alignment.flipped_before = flipped_triangles(a.mesh.F, places);
+    MovableMap map(a.mesh, a.loop, a.rays);
+    const int late = map.follow(places);
+    a.rays = map.rays();
+    report.alignment.moved = late;
+    report.alignment.used = true;
+    if (late > kManyLate * a.mesh.vertex_count()) {
+        report.notes.push_back(fmt::format(
+            "{} of {} vertices of the source follow the dense alignment only as far as the map stays "
+            "one-to-one: the shapes, or their registration, differ much",
+            late, a.mesh.vertex_count()));
+    }
 }
 
 }  // namespace automorph

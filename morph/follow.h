@@ -2,15 +2,20 @@
 
 #include "morph/alignment/guide.h"
 #include "morph/merge_maps.h"
-#include "morph/parameterization/guided_map.h"
 
 namespace automorph {
 
-/// Gives part a the map that puts its vertices where a dense alignment says they belong on b, made one-to-one
-/// (guided_map); the loop keeps its rays. Says in the report what it took.
+/// Gives part a, mapped onto the disk, the map that puts its vertices where a dense alignment says they
+/// belong on b, made one-to-one (guided_map); the loop keeps its rays. Says in the report what it took.
 /// @param a  a whole shape, mapped; keeps its map where the guided one cannot be made one-to-one
 /// @return   whether a follows the guide now
-bool follow(const Guide& guide, MappedPart& a, const Shape& shape_b, const MappedPart& b, MapDomain domain,
-            Report& report);
+bool follow_on_disk(const Guide& guide, MappedPart& a, const Shape& shape_b, const MappedPart& b,
+                    Report& report);
+
+/// The same on the sphere, where such a repair need not end well: starting from a's own map, vertices go to
+/// their places as far as no triangle turns over (MovableMap), so that the result is always one-to-one.
+/// @param a  mapped and aligned with b; the nearer it is to the places, the more of them are reached
+void follow_on_sphere(const Guide& guide, MappedPart& a, const Shape& shape_b, const MappedPart& b,
+                      Report& report);
 
 }  // namespace automorph

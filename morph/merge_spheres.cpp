@@ -30,9 +30,8 @@ MappedPart without_chords(const MappedPart& part) {
 
 MergedPair merge(const Shape& shape_a, MappedPart a, const Shape& shape_b, MappedPart b,
                  const SphereOptions& options, Report& report) {
-    const bool followed = options.guide && follow(*options.guide, a, shape_b, b, MapDomain::Sphere, report);
-    if (!followed && options.registration) {
-        const StageClock clock(report, "alignment");
+    if (options.registration) {
+        const StageClock clock(report, "alignment on the sphere");
         AlignedSpheres aligned = align_spheres({a.mesh, a.loop, a.rays, filling_triangles(shape_a, a)},
                                                {b.mesh, b.loop, b.rays, filling_triangles(shape_b, b)},
                                                *options.registration, options.seed);
@@ -40,12 +39,13 @@ MergedPair merge(const Shape& shape_a, MappedPart a, const Shape& shape_b, Mappe
         b.rays = std::move(aligned.rays_b);
         report.sphere_alignment = {aligned.matches, aligned.before, aligned.rotated, aligned.after};
     }
+    if (options.guide) follow_on_sphere(*options.guide, a, shape_b, b, report);
     const char* name = a.loop.empty() ? "progressive" : "progressive, border locked";
     for (const MappedPart* part : {&a, &b}) {
         const MapQuality quality = sphere_map_quality(part->mesh, part->rays);
         MapReport map;
         map.of = part == &a ? "source" : "target";
-        map.weights = followed && part == &a ? "aligned" : name;
+        map.weights = options.guide && part == &a ? "aligned" : name;
         map.flipped = quality.flipped;
         map.p01 = quality.p01;
         map.smallest_ratio = quality.smallest_ratio;

@@ -9,7 +9,7 @@ namespace automorph {
 
 struct SphereOptions {
     const Registration* registration = nullptr;  ///< brings the maps together; none: they stay as they are
-    const Guide* guide = nullptr;                ///< where the vertices of a belong on b; goes before that
+    const Guide* guide = nullptr;                ///< where the vertices of a belong on b; comes after that
     bool curved = true;                          ///< placement of merged vertices
     std::uint64_t seed = 1;
 };

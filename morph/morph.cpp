@@ -147,7 +147,7 @@ private:
         if (onto_disk(disks)) {
             report_.domain = "disk";
             align_features(disks, "");
-            if (guide_ && follow(*guide_, disks.a, target_shape_, disks.b, MapDomain::Disk, report_)) {
+            if (guide_ && follow_on_disk(*guide_, disks.a, target_shape_, disks.b, report_)) {
                 report_.maps.front() = aligned_map_report(disks.a);
             }
             merged_ = merge_maps(source_shape_, disks.a, target_shape_, std::move(disks.b), options_.lift, "",

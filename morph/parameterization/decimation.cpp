@@ -135,9 +135,8 @@ private:
         best = -1;
         double lowest = 0.0;
         for (std::size_t k = 0; k < ring_.size(); ++k) {
-            if (!possible(k)) continue;
             const double cost = cost_of(v, k);
-            if (best >= 0 && cost >= lowest) continue;
+            if ((best >= 0 && cost >= lowest) || !possible(k)) continue;
             lowest = cost;
             best = ring_[k].halfedge;
         }
@@ -155,6 +154,8 @@ private:
             stamp_[at(w)] = now_;
             h = mesh_.turn(h);
         } while (h != first);
+        valences_ = 0;
+        for (const Neighbour& w : ring_) valences_ += mesh_.valence[at(w.vertex)];
         const Vector3d p = place(v);
         for (std::size_t k = 0; k < ring_.size(); ++k) {
             const Neighbour& following = ring_[k + 1 < ring_.size() ? k + 1 : 0];
@@ -172,9 +173,7 @@ private:
                 if (is_fixed(w.vertex) && w.vertex != u && w.vertex != r && w.vertex != l) return false;
             }
         }
-        int around = 0;
-        for (const Neighbour& w : ring_) around += mesh_.valence[at(w.vertex)];
-        if (mesh_.valence[at(u)] <= around - mesh_.valence[at(u)]) {
+        if (2 * mesh_.valence[at(u)] <= valences_) {
             int common = 0, h = mesh_.out[at(u)];
             for (int j = 0; j < mesh_.valence[at(u)]; ++j, h = mesh_.turn(h)) {
                 common += stamp_[at(mesh_.target(h))] == now_;
@@ -246,6 +245,7 @@ private:
     std::vector<Quadric> quadrics_;
     std::vector<Vertex> vertices_;
     std::priority_queue<Entry> queue_;
+    int valences_ = 0;                  ///< sum over ring_
     std::vector<Neighbour> ring_;       ///< of the vertex looked at
     std::vector<std::uint32_t> stamp_;  ///< per vertex: when it was last in ring_
     std::uint32_t now_ = 0;

@@ -125,12 +125,13 @@ SphereStar::Step SphereStar::newton() const {
         hyy += curved + 2.0 * qy * g1y + q * g2 * dy * dy;
     }
     // |H| by the eigenvalues of the 2 x 2 matrix.
-    const double mean = 0.5 * (hxx + hyy), half = 0.5 * (hxx - hyy), spread = std::hypot(half, hxy);
+    const double mean = 0.5 * (hxx + hyy), half = 0.5 * (hxx - hyy),
+                 spread = std::sqrt(half * half + hxy * hxy);
     double ux = 1.0, uy = 0.0;  // eigenvector of mean + spread
     if (spread > 0.0) {
         ux = half >= 0.0 ? half + spread : hxy;
         uy = half >= 0.0 ? hxy : spread - half;
-        const double norm = std::hypot(ux, uy);
+        const double norm = std::sqrt(ux * ux + uy * uy);
         ux /= norm;
         uy /= norm;
     }
@@ -139,7 +140,7 @@ SphereStar::Step SphereStar::newton() const {
                  low = std::max(std::abs(mean - spread), floor);
     const double gu = gx * ux + gy * uy, gv = gy * ux - gx * uy;
     double su = -gu / high, sv = -gv / low;
-    const double longest = kLongestStep * radius_, length = std::hypot(su, sv);
+    const double longest = kLongestStep * radius_, length = std::sqrt(su * su + sv * sv);
     if (!(length <= longest)) {
         const double scale = longest / length;
         su *= scale;

@@ -88,7 +88,8 @@ bool SphereRelaxation::insert(int vertex) {
     double reach = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
         mean += Eigen::Vector2d(star_.neighbour(k).x, star_.neighbour(k).y) / static_cast<double>(n);
-        reach = std::max(reach, std::hypot(star_.neighbour(k).x, star_.neighbour(k).y));
+        const double x = star_.neighbour(k).x, y = star_.neighbour(k).y;
+        reach = std::max(reach, std::sqrt(x * x + y * y));
     }
 
     Eigen::Vector2d best(0.0, 0.0);

@@ -4,14 +4,11 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numeric>
 
 #include "morph/mesh/errors.h"
 #include "morph/parameterization/map_quality.h"
-#include "morph/parameterization/sphere_border.h"
-#include "morph/parameterization/sphere_relaxation.h"
 #include "morph/registration/procrustes.h"
-#include "morph/sphere_alignment/guarded_move.h"
+#include "morph/sphere_alignment/movable_map.h"
 #include "morph/sphere_alignment/smooth_field.h"
 #include "morph/sphere_alignment/surface_matches.h"
 
@@ -25,52 +22,16 @@ constexpr int kLevels = 8;
 /// Relaxing sweeps after each level, and after the last.
 constexpr int kSweeps = 3, kLastSweeps = 8;
 
-/// A map that is warped and relaxed.
-class WarpedMap {
-public:
-    WarpedMap(const MappedMesh& map, const Points& rays)
-        : mesh_(map.mesh),
-          closed_(closed_with_apex(map.mesh, map.loop)),
-          relaxation_(half_edges(closed_.mesh.F, closed_.mesh.vertex_count()), closed_.mesh.V, closed_.fixed,
-                      total_solid_angle(map.mesh.F, rays)) {
-        relaxation_.rays.topRows(rays.rows()) = rays;
-        triangles_.resize(static_cast<std::size_t>(closed_.surface));
-        std::iota(triangles_.begin(), triangles_.end(), 0);
-        for (int v = 0; v < mesh_.vertex_count(); ++v) {
-            if (closed_.fixed.empty() || !closed_.fixed[static_cast<std::size_t>(v)]) vertices_.push_back(v);
-        }
-        relaxation_.measure(triangles_);
+/// Places that a tangent field leads to.
+Points shifted(const Points& rays, const SmoothField& field) {
+    Points wanted(rays.rows(), 3);
+    for (Eigen::Index v = 0; v < rays.rows(); ++v) {
+        const Eigen::Vector3d x = rays.row(v);
+        const Eigen::Vector3d shift = field(x);
+        wanted.row(v) = (x + shift - shift.dot(x) * x).normalized();
     }
-
-    Points rays() const { return relaxation_.rays.topRows(mesh_.vertex_count()); }
-
-    Points places(const std::vector<SurfacePoint>& points) const {
-        return rays_of(mesh_, relaxation_.rays, points);
-    }
-
-    void move(const SmoothField& field) {
-        const Points before = rays();
-        Points wanted = before;
-        for (const int v : vertices_) {
-            const Eigen::Vector3d x = before.row(v);
-            Eigen::Vector3d shift = field(x);
-            shift -= shift.dot(x) * x;
-            wanted.row(v) = (x + shift).normalized();
-        }
-        relaxation_.rays.topRows(before.rows()) = move_guarded(mesh_.F, before, wanted).rays;
-    }
-
-    void relax(int sweeps) {
-        relaxation_.wake();
-        relaxation_.sweep(vertices_, sweeps);
-    }
-
-private:
-    const Mesh& mesh_;
-    ClosedMesh closed_;
-    SphereRelaxation relaxation_;
-    std::vector<int> triangles_, vertices_;
-};
+    return wanted;
+}
 
 double mean_angle(const Points& a, const Points& b, const Eigen::VectorXd& weights) {
     double sum = 0.0;
@@ -107,21 +68,23 @@ AlignedSpheres align_spheres(const MappedMesh& a, const MappedMesh& b, const Reg
     }
     result.rotated = mean_angle(at_a, rays_of(b.mesh, result.rays_b, matches.on_b), matches.weights);
 
-    WarpedMap map_a(a, result.rays_a), map_b(b, result.rays_b);
+    MovableMap map_a(a.mesh, a.loop, result.rays_a), map_b(b.mesh, b.loop, result.rays_b);
     const double ratio = std::pow(kNarrowest / kWidest, 1.0 / (kLevels - 1));
     double width = kWidest;
     for (int level = 0; level < kLevels; ++level, width *= ratio) {
-        const Points from = map_a.places(matches.on_a), to = map_b.places(matches.on_b);
+        const Points from = rays_of(a.mesh, map_a.rays(), matches.on_a),
+                     to = rays_of(b.mesh, map_b.rays(), matches.on_b);
         const Points half = 0.5 * (to - from);
-        map_a.move(SmoothField(from, half, matches.weights, width));
-        map_b.move(SmoothField(to, -half, matches.weights, width));
+        map_a.move(shifted(map_a.rays(), SmoothField(from, half, matches.weights, width)));
+        map_b.move(shifted(map_b.rays(), SmoothField(to, -half, matches.weights, width)));
         const int sweeps = level + 1 < kLevels ? kSweeps : kLastSweeps;
         map_a.relax(sweeps);
         map_b.relax(sweeps);
     }
     result.rays_a = map_a.rays();
     result.rays_b = map_b.rays();
-    result.after = mean_angle(map_a.places(matches.on_a), map_b.places(matches.on_b), matches.weights);
+    result.after = mean_angle(rays_of(a.mesh, map_a.rays(), matches.on_a),
+                              rays_of(b.mesh, map_b.rays(), matches.on_b), matches.weights);
     require_positive("source", a.mesh, result.rays_a);
     require_positive("target", b.mesh, result.rays_b);
     return result;

@@ -196,12 +196,16 @@ TEST_CASE("closed shapes in any position correspond on the sphere") {
         }
         return mesh;
     };
-    const Morph result =
-        morph(admit_mesh(lopsided(a)), admit_mesh(moved(lopsided(b), kTurn, {3, -2, 5}, 2.5)));
     const double diagonal = 2.5 * bounding_box_diagonal(b.V);
     const Points truth = moved(lopsided(a), kTurn, {3, -2, 5}, 2.5).V;
-    const double error = (result.correspondence() - truth).rowwise().norm().mean() / diagonal;
-    CHECK(error < 0.01);
+    for (const Alignment alignment : {Alignment::Registration, Alignment::Dense}) {
+        const Morph result =
+            morph(admit_mesh(lopsided(a)), admit_mesh(moved(lopsided(b), kTurn, {3, -2, 5}, 2.5)),
+                  {.alignment = alignment});
+        const double error = (result.correspondence() - truth).rowwise().norm().mean() / diagonal;
+        CHECK(error < (alignment == Alignment::Dense ? 0.003 : 0.01));
+        CHECK(result.report().alignment.used == (alignment == Alignment::Dense));
+    }
 }
 
 TEST_CASE(

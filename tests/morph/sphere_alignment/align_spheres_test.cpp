@@ -11,6 +11,7 @@
 #include "morph/parameterization/sphere_map.h"
 #include "morph/shapes/shapes.h"
 #include "morph/sphere_alignment/guarded_move.h"
+#include "morph/sphere_alignment/movable_map.h"
 #include "morph/sphere_alignment/smooth_field.h"
 #include "morph/sphere_alignment/surface_matches.h"
 #include "tests/catch.h"
@@ -83,6 +84,34 @@ TEST_CASE(
     CHECK(guarded.shortened > 0);
     CHECK(total_solid_angle(mesh.F, guarded.rays) == Approx(4.0 * std::numbers::pi));
     for (int v = 1; v < 10; ++v) CHECK(guarded.rays.row(v) == rays.row(v));  // who is to stay stays
+}
+
+TEST_CASE("a map follows another all the way, and as far as it can where that one is folded") {
+    const Mesh mesh = star({}, {.triangles = 1500});
+    const Points rays = sphere_map(mesh).rays;
+    // Another valid map: the same, turned, and squeezed towards a pole by a one-to-one map of the sphere.
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 1).normalized()).toRotationMatrix();
+    Points other = rays * turn.transpose();
+    other.rightCols<1>() *= 1.7;
+    other.rowwise().normalize();
+    REQUIRE(flipped_triangles(mesh.F, other) == 0);
+    MovableMap map(mesh, kNoLoop, rays);
+    CHECK(map.follow(other) == 0);
+    CHECK(map.rays() == other);
+
+    Points folded = other;
+    for (int v = 0; v < mesh.vertex_count(); v += 50)
+        folded.row(v) = folded.row((v + 25) % mesh.vertex_count());
+    REQUIRE(flipped_triangles(mesh.F, folded) > 0);
+    const int late = map.follow(folded);
+    CHECK(late > 0);
+    CHECK(late < 0.2 * mesh.vertex_count());
+    CHECK(flipped_triangles(mesh.F, map.rays()) == 0);
+    CHECK(total_solid_angle(mesh.F, map.rays()) == Approx(4.0 * std::numbers::pi));
+    int in_place = 0;
+    for (int v = 0; v < mesh.vertex_count(); ++v) in_place += map.rays().row(v) == folded.row(v);
+    CHECK(in_place >= mesh.vertex_count() - late);
 }
 
 TEST_CASE("matches of a shape with itself are the same points; what is ignored has none") {
