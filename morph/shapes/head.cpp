@@ -1,0 +1,124 @@
+#include "morph/shapes/head.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "morph/mesh/connectivity.h"
+#include "morph/mesh/errors.h"
+#include "morph/mesh/geometry.h"
+#include "morph/shapes/crop.h"
+#include "morph/shapes/head_sculpture.h"
+#include "morph/shapes/marching.h"
+#include "morph/shapes/remesh.h"
+
+namespace automorph {
+
+namespace {
+
+using sculpt::Vec;
+using sculpt::Vec3;
+
+constexpr double kHeadHeight = 23.0;  // of the sculpture, cm
+constexpr double kCell = 0.25;        // cm; the slit between the lips and the space behind the ears are wider
+constexpr Eigen::Vector3d::Scalar kBox[2][3] = {{-10.5, -18.5, -12.5}, {10.5, 13.0, 14.0}};
+constexpr double kNeckCut = -15.3;  // height of the cut, cm
+
+/// Where `part` is wanted, its finest edges relative to those of the cranium, and how far it reaches, cm.
+struct Feature {
+    Vec3 centre;
+    double radius, spacing;
+};
+// Paired ones on the left.
+constexpr Feature kFeatures[] = {
+    {{0, -3.0, 9.0}, 10.0, 0.62},  // face
+    {{3.1, 0.1, 8.0}, 3.0, 0.50},    {{0, -7.0, 10.0}, 3.8, 0.55}, {{0.9, -4.3, 10.4}, 2.6, 0.65},
+    {{7.4, -1.5, -1.5}, 5.2, 0.45},
+};
+
+double spacing(const Eigen::Vector3d& p) {
+    const Vec3 q{std::abs(p.x()) * kHeadHeight, p.y() * kHeadHeight, p.z() * kHeadHeight};
+    double product = 1.0;
+    for (const Feature& each : kFeatures) {
+        const Vec3 d = q - each.centre;
+        product *= 1.0 - (1.0 - each.spacing) *
+                             sculpt::bump_square(sculpt::dot(d, d) / (each.radius * each.radius));
+    }
+    return product;
+}
+
+template <class S>
+S side_of(HeadCrop crop, const Vec<S>& p) {
+    if (crop == HeadCrop::Head) return S(kNeckCut) - p.y;
+    // A trough in front of the ears that rises to the hair and passes under the chin before the neck.
+    const S up = p.y + 2.0;
+    return 1.4 + 0.045 * (up * up) - p.z;
+}
+
+/// A field of the sculpture, in head heights.
+template <class Field>
+ImplicitSurface in_head_heights(const Field& field) {
+    return [field](const Eigen::Vector3d& p) -> FieldSample {
+        const Jet f = field(Vec<Jet>{Jet(kHeadHeight * p.x(), 1, 0, 0), Jet(kHeadHeight * p.y(), 0, 1, 0),
+                                     Jet(kHeadHeight * p.z(), 0, 0, 1)});
+        return {f.value / kHeadHeight, Eigen::Vector3d(f.x, f.y, f.z)};
+    };
+}
+
+/// The sum over triangles of area over spacing squared: what a remeshed part's triangles are in proportion to.
+double triangle_demand(const Mesh& mesh) {
+    const Eigen::VectorXd areas = triangle_areas(mesh);
+    double sum = 0.0;
+    for (int f = 0; f < mesh.triangle_count(); ++f) {
+        const Eigen::Vector3d centre =
+            (mesh.V.row(mesh.F(f, 0)) + mesh.V.row(mesh.F(f, 1)) + mesh.V.row(mesh.F(f, 2))).transpose() / 3.0;
+        sum += areas[f] / std::pow(spacing(centre), 2);
+    }
+    return sum;
+}
+
+}  // namespace
+
+ImplicitSurface head_surface() {
+    return in_head_heights([](const Vec<Jet>& p) { return sculpt::head_sculpture(p); });
+}
+
+Mesh head(const HeadOptions& options) {
+    const ImplicitSurface surface = head_surface();
+    const ImplicitSurface side =
+        in_head_heights([crop = options.crop](const Vec<Jet>& p) { return side_of(crop, p); });
+
+    MarchingOptions marching;
+    marching.low = Eigen::Vector3d(kBox[0][0], kBox[0][1], kBox[0][2]) / kHeadHeight;
+    marching.high = Eigen::Vector3d(kBox[1][0], kBox[1][1], kBox[1][2]) / kHeadHeight;
+    marching.cell = kCell / kHeadHeight;
+    const Mesh start = marching_tetrahedra(
+        [](const Eigen::Vector3d& p) {
+            return sculpt::head_sculpture(
+                Vec3{kHeadHeight * p.x(), kHeadHeight * p.y(), kHeadHeight * p.z()});
+        },
+        marching);
+
+    RemeshOptions remeshing;
+    remeshing.triangles = options.shape.triangles;
+    remeshing.seed = options.shape.seed;
+    remeshing.spacing = spacing;
+    if (options.crop != HeadCrop::Closed) {
+        const double share = triangle_demand(crop(start, surface, side)) / triangle_demand(start);
+        remeshing.triangles = static_cast<int>(std::lround(options.shape.triangles / share));
+    }
+    Mesh mesh = remesh(start, surface, remeshing);
+    const int euler = euler_characteristic(connectivity(mesh.F, mesh.vertex_count()));
+    if (euler != 2) throw SolverFailure(fmt::format("head: Euler characteristic {}, expected 2", euler));
+    if (options.crop != HeadCrop::Closed) mesh = crop(mesh, surface, side);
+
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        const Eigen::Vector3d p = deform_head(options.parameters, mesh.V.row(v).transpose());
+        mesh.V.row(v) =
+            (options.shape.scale * (options.shape.rotation * p) + options.shape.translation).transpose();
+    }
+    return mesh;
+}
+
+}  // namespace automorph
