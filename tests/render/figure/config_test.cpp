@@ -185,7 +185,7 @@ TEST_CASE("a value outside its range or choice is refused with what is allowed")
                 {"rows[0].interpolation: found 'slurp', expected one of linear, rigid-linear, slerp",
                  "did you mean 'slerp'?"});
     check_error("source: {shape: cube}\n", "1:17",
-                {"source.shape: found 'cube', expected one of ellipsoid, star"});
+                {"source.shape: found 'cube', expected one of ellipsoid, star, head"});
     check_error("source: {shape: ellipsoid, semi_axes: [1, 0, 1]}\n", "1:43", {"semi_axes[1]: found '0'"});
 }
 
