@@ -38,10 +38,10 @@ S face(const Vec<S>& p, const Vec<S>& q) {
 template <class S>
 S neck(const Vec<S>& p, const Vec<S>& q) {
     S d = limb(Vec<S>{p.x * 1.04, p.y, p.z}, {0, -4.0, -1.9}, {0, -19.0, -3.4}, 4.7, 5.5);
-    d = blend(d, limb(q, {5.2, -4.2, -1.6}, {1.0, -19.0, 2.6}, 0.8, 0.9), 1.6);
+    d = blend(d, limb(q, {5.0, -2.0, -2.2}, {1.0, -19.0, 2.6}, 0.8, 0.9), 1.8);
     d = blend(d, ellipsoid(p, {0, -14.2, 1.4}, {1.2, 2.0, 1.2}), 1.5);
     // trapezius
-    return blend(d, limb(q, {2.4, -4.0, -4.6}, {5.6, -20.0, -4.6}, 1.0, 1.8), 3.0);
+    return blend(d, limb(q, {2.2, 1.0, -4.0}, {5.4, -20.0, -4.4}, 1.2, 1.8), 3.0);
 }
 
 // ---- eyes ------------------------------------------------------------------------------------------
@@ -63,7 +63,7 @@ S with_eyes(S d, const Vec<S>& q) {
     if (!near(q, kEye, 3.4)) return d;
     const S x = q.x - kEye.x, y = q.y - kEye.y;
     // Lids: a shell about the eyeball, softly joined below and to the sides, with a crease above it.
-    const double k = 0.35 + 0.8 * ramp(0.35 * std::abs(value_of(x)) - value_of(y), -0.6, 0.8);
+    const S k = 0.35 + 0.8 * ramp(S(0.35 * soft_abs(x, 0.2) - y), -0.6, 0.8);
     d = blend(d, ellipsoid(q, kEye, kLids), k);
     // The fold of skin between brow and lid.
     static const Turn hang = turn(0, 22, -7);
@@ -125,7 +125,7 @@ S with_ears(S d, const Vec<S>& q) {
     const S qa = (u - 0.05) / width, qb = v * (1.0 / 2.95);
     const S ring = sqrt(qa * qa + qb * qb + 1e-4);
     const S lean = w - 0.25 * qa * qa * 0.6;
-    S ear = -blend(S(-(ring - 1.0) * 1.5), S(0.24 - soft_abs(S(lean - 0.05), 0.1)), 0.3);
+    S ear = -blend(S(-(ring - 1.0) * 1.5), S(0.30 - soft_abs(S(lean - 0.0), 0.1)), 0.3);
     // helix: a rolled rim that fades into the lobe
     const S roll = 0.10 + 0.15 * ramp(v, -2.4, 0.4);
     const S helix = sqrt(square(S((ring - 0.92) * 1.9)) + square(S(lean - 0.30)) + 1e-4) - roll;
@@ -134,10 +134,10 @@ S with_ears(S d, const Vec<S>& q) {
     ear = blend(ear, limb(Vec<S>{lean, v, u}, {0.18, -1.3, 0.35}, {0.18, 0.1, 0.75}, 0.24, 0.22), 0.25);
     ear = blend(ear, limb(Vec<S>{lean, v, u}, {0.18, 0.1, 0.75}, {0.10, 1.5, 0.25}, 0.22, 0.18), 0.25);
     // bowl, with the tragus before it and the lobe below
-    ear = carve(ear, ellipsoid(Vec<S>{lean, v, u}, {0.55, -0.55, -0.25}, {0.58, 0.85, 0.6}), 0.3);
+    ear = carve(ear, ellipsoid(Vec<S>{lean, v, u}, {0.66, -0.55, -0.25}, {0.60, 0.85, 0.62}), 0.3);
     ear = blend(ear, ellipsoid(Vec<S>{w, v, u}, {0.25, -0.75, -0.95}, {0.28, 0.45, 0.3}), 0.3);
     ear = blend(ear, ellipsoid(Vec<S>{w, v, u}, {0.12, -2.2, -0.15}, {0.32, 0.6, 0.6}), 0.35);
-    return blend(d, ear, 0.5);
+    return blend(d, ear, 0.8);
 }
 
 /// Negative inside, about the distance near the surface. x to the head's left, y up, z forwards, in

@@ -37,14 +37,15 @@ S soft_abs(const S& a, double softness) {
     return sqrt(a * a + softness * softness);
 }
 
-/// Minimum that blends over where both are within k of each other; C2.
-template <class S>
-S blend(const S& a, const S& b, double k) {
-    const double gap = k - std::abs(value_of(a) - value_of(b));
-    const S& least = value_of(a) < value_of(b) ? a : b;
-    if (gap <= 0.0) return least;
-    const S h = 1.0 - (value_of(a) < value_of(b) ? b - a : a - b) / k;
-    return least - h * h * h * (k / 6.0);
+/// Minimum that blends over where both are within k of each other; C2. k may vary in space.
+template <class S, class K>
+S blend(const S& a, const S& b, const K& k) {
+    const bool is_a = value_of(a) < value_of(b);
+    const S gap = is_a ? b - a : a - b;
+    const S& least = is_a ? a : b;
+    if (value_of(gap) >= value_of(k)) return least;
+    const S h = 1.0 - gap / k;
+    return least - h * h * h * k * (1.0 / 6.0);
 }
 
 /// `body` without `tool`, the edge rounded over k.
