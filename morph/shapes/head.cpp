@@ -32,9 +32,11 @@ struct Feature {
 };
 // Paired ones on the left.
 constexpr Feature kFeatures[] = {
-    {{0, -3.0, 9.0}, 10.0, 0.62},  // face
-    {{3.1, 0.1, 8.0}, 3.0, 0.50},    {{0, -7.0, 10.0}, 3.8, 0.55}, {{0.9, -4.3, 10.4}, 2.6, 0.65},
-    {{7.4, -1.5, -1.5}, 5.2, 0.45},
+    {{0, -3.0, 8.0}, 10.5, 0.62},   // face
+    {{3.1, 0.2, 8.0}, 2.7, 0.34},   // eyes
+    {{0, -7.0, 9.8}, 3.6, 0.45},    // mouth
+    {{0.8, -4.4, 10.4}, 2.3, 0.55}, // base of the nose
+    {{7.6, -1.5, -1.8}, 5.0, 0.36}, // ears
 };
 
 double spacing(const Eigen::Vector3d& p) {
@@ -53,7 +55,7 @@ S side_of(HeadCrop crop, const Vec<S>& p) {
     if (crop == HeadCrop::Head) return S(kNeckCut) - p.y;
     // A trough in front of the ears that rises to the hair and passes under the chin before the neck.
     const S up = p.y + 2.0;
-    return 1.4 + 0.045 * (up * up) - p.z;
+    return 2.2 + 0.045 * (up * up) - p.z;
 }
 
 /// A field of the sculpture, in head heights.

@@ -37,7 +37,7 @@ S face(const Vec<S>& p, const Vec<S>& q) {
 
 template <class S>
 S neck(const Vec<S>& p, const Vec<S>& q) {
-    S d = limb(Vec<S>{p.x * 1.04, p.y, p.z}, {0, -4.0, -1.9}, {0, -19.0, -3.4}, 4.7, 5.5);
+    S d = limb(Vec<S>{p.x * 1.04, p.y, p.z}, {0, -4.0, -1.9}, {0, -19.0, -3.4}, 4.5, 5.3);
     d = blend(d, limb(q, {5.0, -2.0, -2.2}, {1.0, -19.0, 2.6}, 0.8, 0.9), 1.8);
     d = blend(d, ellipsoid(p, {0, -14.2, 1.4}, {1.2, 2.0, 1.2}), 1.5);
     // trapezius
@@ -46,7 +46,7 @@ S neck(const Vec<S>& p, const Vec<S>& q) {
 
 // ---- eyes ------------------------------------------------------------------------------------------
 inline constexpr Vec3 kEye{3.12, 0.0, 6.85};
-inline constexpr Vec3 kEyeball{1.54, 1.37, 1.37}, kLids{1.74, 1.53, 1.55};  // semi-axes
+inline constexpr Vec3 kEyeball{1.54, 1.34, 1.34}, kLids{1.76, 1.55, 1.58};  // semi-axes
 
 template <class S>
 S with_sockets(S d, const Vec<S>& p, const Vec<S>& q) {
@@ -55,7 +55,7 @@ S with_sockets(S d, const Vec<S>& p, const Vec<S>& q) {
     d = blend(d, ellipsoid(p, {0, 1.9, 8.2}, {1.6, 0.9, 1.0}), 1.6);
     if (!near(q, {3.2, 0, 8.0}, 5.0)) return d;
     static const Turn socket = turn(0, 16, -8);
-    return carve(d, ellipsoid(q, {2.9, 0.25, 9.0}, {1.9, 1.0, 1.5}, socket), 1.2);
+    return carve(d, ellipsoid(q, {2.75, 0.35, 8.95}, {1.9, 1.0, 1.55}, socket), 1.5);
 }
 
 template <class S>
@@ -67,16 +67,16 @@ S with_eyes(S d, const Vec<S>& q) {
     d = blend(d, ellipsoid(q, kEye, kLids), k);
     // The fold of skin between brow and lid.
     static const Turn hang = turn(0, 22, -7);
-    d = blend(d, ellipsoid(q, {3.3, 1.22, 6.85}, {2.0, 0.5, 1.05}, hang), 0.25);
+    d = blend(d, ellipsoid(q, {3.3, 1.22, 6.85}, {1.95, 0.5, 1.05}, hang), 0.3);
     // Opening between the margins of the lids.
     const S s = (x + 0.05) * (1.0 / 1.42), arch = 1.0 - s * s, line = 0.10 * s - 0.02;
-    const S upper = line + 0.54 * arch * (1.0 - 0.22 * s), lower = line - 0.42 * arch * (1.0 + 0.22 * s);
+    const S upper = line + 0.62 * arch * (1.0 - 0.22 * s), lower = line - 0.46 * arch * (1.0 + 0.22 * s);
     const S opening = -blend(S(upper - y), S(y - lower), 0.08) * 0.85;
     const S front = kEye.z - q.z + 0.2;  // the back half stays
     d = carve(d, S(-blend(S(-opening), S(-front), 0.2)), 0.09);
     d = blend(d, ellipsoid(q, kEye, kEyeball), 0.04);
     // caruncle
-    return blend(d, ellipsoid(q, {1.85, -0.08, 7.6}, {0.25, 0.14, 0.25}), 0.15);
+    return blend(d, ellipsoid(q, {1.85, -0.08, 7.55}, {0.25, 0.14, 0.25}), 0.15);
 }
 
 // ---- nose ------------------------------------------------------------------------------------------
@@ -90,7 +90,7 @@ S with_nose(S d, const Vec<S>& p, const Vec<S>& q) {
     n = blend(n, ellipsoid(q, {0.95, -4.1, 9.8}, {0.56, 0.66, 1.0}, wing), 0.7);
     n = blend(n, limb(p, {0, -4.2, 10.8}, {0, -4.7, 9.8}, 0.42, 0.42), 0.5);
     d = blend(d, n, 0.9);
-    return carve(d, ellipsoid(q, {0.58, -4.85, 10.25}, {0.28, 0.5, 0.5}, hole), 0.3);
+    return carve(d, ellipsoid(q, {0.55, -4.9, 10.2}, {0.28, 0.55, 0.55}, hole), 0.3);
 }
 
 // ---- mouth -----------------------------------------------------------------------------------------
@@ -100,15 +100,15 @@ S with_mouth(S d, const Vec<S>& p, const Vec<S>& q) {
     using std::sqrt;
     static const Turn above = turn(-12, 24, -9), below = turn(10, 20, 7);
     // philtrum
-    d = carve(d, limb(p, {0, -5.0, 10.3}, {0, -6.35, 10.4}, 0.22, 0.34), 0.4);
+    d = carve(d, limb(p, {0, -5.0, 10.3}, {0, -6.35, 10.42}, 0.24, 0.36), 0.4);
     // Two halves and the tubercle make the upper lip, two halves the lower.
-    S upper = ellipsoid(q, {1.05, -6.66, 9.45}, {1.75, 0.40, 0.58}, above);
-    upper = blend(upper, ellipsoid(p, {0, -6.78, 9.8}, {0.5, 0.36, 0.5}), 0.3);
-    S lower = ellipsoid(q, {0.65, -7.46, 9.42}, {1.6, 0.5, 0.62}, below);
+    S upper = ellipsoid(q, {1.0, -6.60, 9.45}, {1.75, 0.41, 0.66}, above);
+    upper = blend(upper, ellipsoid(p, {0, -6.70, 9.7}, {0.65, 0.36, 0.5}), 0.5);
+    S lower = ellipsoid(q, {0.65, -7.53, 9.42}, {1.6, 0.52, 0.72}, below);
     const S lips = blend(upper, lower, 0.05);
-    d = blend(d, lips, 0.5);
+    d = blend(d, lips, 0.36);
     // corners
-    return carve(d, ellipsoid(q, {2.42, -7.03, 8.95}, {0.22, 0.14, 0.3}), 0.35);
+    return carve(d, ellipsoid(q, {2.5, -7.05, 8.95}, {0.16, 0.1, 0.22}), 0.45);
 }
 
 // ---- ears ------------------------------------------------------------------------------------------
@@ -125,7 +125,7 @@ S with_ears(S d, const Vec<S>& q) {
     const S qa = (u - 0.05) / width, qb = v * (1.0 / 2.95);
     const S ring = sqrt(qa * qa + qb * qb + 1e-4);
     const S lean = w - 0.25 * qa * qa * 0.6;
-    S ear = -blend(S(-(ring - 1.0) * 1.5), S(0.30 - soft_abs(S(lean - 0.0), 0.1)), 0.3);
+    S ear = ellipsoid(Vec<S>{lean, v, qa * 1.6}, {0, 0, 0}, {0.46, 2.95, 1.6});
     // helix: a rolled rim that fades into the lobe
     const S roll = 0.10 + 0.15 * ramp(v, -2.4, 0.4);
     const S helix = sqrt(square(S((ring - 0.92) * 1.9)) + square(S(lean - 0.30)) + 1e-4) - roll;
@@ -137,6 +137,8 @@ S with_ears(S d, const Vec<S>& q) {
     ear = carve(ear, ellipsoid(Vec<S>{lean, v, u}, {0.66, -0.55, -0.25}, {0.60, 0.85, 0.62}), 0.3);
     ear = blend(ear, ellipsoid(Vec<S>{w, v, u}, {0.25, -0.75, -0.95}, {0.28, 0.45, 0.3}), 0.3);
     ear = blend(ear, ellipsoid(Vec<S>{w, v, u}, {0.12, -2.2, -0.15}, {0.32, 0.6, 0.6}), 0.35);
+    // root
+    d = blend(d, ellipsoid(q, {5.9, -2.0, -1.0}, {0.9, 2.4, 1.2}), 1.2);
     return blend(d, ear, 0.8);
 }
 
