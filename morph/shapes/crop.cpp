@@ -42,8 +42,8 @@ Vector project_to_curve(const ImplicitSurface& surface, const ImplicitSurface& s
         p += move;
         if (move.norm() <= kClose * (p.norm() + 1e-3)) return p;
     }
-    throw SolverFailure(fmt::format("no border point found near ({:g} {:g} {:g})", start.x(), start.y(),
-                                    start.z()));
+    throw SolverFailure(
+        fmt::format("no border point found near ({:g} {:g} {:g})", start.x(), start.y(), start.z()));
 }
 
 class Cropper {
@@ -59,6 +59,7 @@ public:
     Mesh run() {
         snap();
         split();
+        flip();
         return kept();
     }
 
@@ -122,6 +123,31 @@ private:
         }
     }
 
+    /// Makes the triangles Delaunay again where no border edge goes and no edge crosses the border for it.
+    void flip() {
+        constexpr int kPasses = 4;
+        constexpr double kDelaunay = -1e-9;  // not 0, so that no edge of a square flips for ever
+        const auto cotangent = [](const Vector& u, const Vector& v) {
+            return u.dot(v) / std::max(u.cross(v).norm(), 1e-300);
+        };
+        for (int pass = 0; pass < kPasses; ++pass) {
+            for (const auto e : topology_.edges()) {
+                const auto h = topology_.halfedge_handle(e, 0), o = topology_.halfedge_handle(e, 1);
+                const Vertex a = topology_.from_vertex_handle(h), b = topology_.to_vertex_handle(h);
+                const Vertex c = topology_.to_vertex_handle(topology_.next_halfedge_handle(h)),
+                             d = topology_.to_vertex_handle(topology_.next_halfedge_handle(o));
+                if ((value(a) == 0.0 && value(b) == 0.0) || value(c) * value(d) < 0.0) continue;
+                const Vector pa = position(a), pb = position(b), pc = position(c), pd = position(d);
+                if (cotangent(pa - pc, pb - pc) + cotangent(pa - pd, pb - pd) >= kDelaunay) continue;
+                const Vector before = (pb - pa).cross(pc - pa) + (pd - pa).cross(pb - pa);
+                const Vector first = (pb - pd).cross(pc - pd), second = (pc - pd).cross(pa - pd);
+                const bool is_upright = first.dot(before) > kUpright * first.norm() * before.norm() &&
+                                        second.dot(before) > kUpright * second.norm() * before.norm();
+                if (is_upright && topology_.is_flip_ok(e)) topology_.flip(e);
+            }
+        }
+    }
+
     Mesh kept() const {
         std::vector<std::array<int, 3>> triangles;
         std::vector<int> index(points_.size(), -1);
@@ -153,7 +179,8 @@ private:
         }
         mesh.V.resize(static_cast<Eigen::Index>(order.size()), 3);
         for (std::size_t v = 0; v < order.size(); ++v)
-            mesh.V.row(static_cast<Eigen::Index>(v)) = points_[static_cast<std::size_t>(order[v])].transpose();
+            mesh.V.row(static_cast<Eigen::Index>(v)) =
+                points_[static_cast<std::size_t>(order[v])].transpose();
         return mesh;
     }
 

@@ -23,29 +23,29 @@ using sculpt::Vec3;
 constexpr double kHeadHeight = 23.0;  // of the sculpture, cm
 constexpr double kCell = 0.25;        // cm; the slit between the lips and the space behind the ears are wider
 constexpr Eigen::Vector3d::Scalar kBox[2][3] = {{-10.5, -18.5, -12.5}, {10.5, 13.0, 14.0}};
-constexpr double kNeckCut = -15.3;  // height of the cut, cm
+constexpr double kAway = 8.0, kCoarse = 1.8;  // cm behind a border; edges there, relative
+constexpr double kNeckCut = -15.3;            // height of the cut, cm
 
-/// Where `part` is wanted, its finest edges relative to those of the cranium, and how far it reaches, cm.
+/// A part with finer edges: relative to those around it, all of them within `inner`, none beyond `outer`, cm.
 struct Feature {
-    Vec3 centre;
-    double radius, spacing;
+    Vec3 centre;  // of the left one if there are two
+    double inner, outer, spacing;
 };
-// Paired ones on the left.
 constexpr Feature kFeatures[] = {
-    {{0, -3.0, 8.0}, 10.5, 0.62},   // face
-    {{3.1, 0.2, 8.0}, 2.7, 0.34},   // eyes
-    {{0, -7.0, 9.8}, 3.6, 0.45},    // mouth
-    {{0.8, -4.4, 10.4}, 2.3, 0.55}, // base of the nose
-    {{7.6, -1.5, -1.8}, 5.0, 0.36}, // ears
+    {{0, -3.0, 8.0}, 6.0, 12.0, 0.62},    // face
+    {{3.1, 0.15, 8.0}, 1.7, 3.6, 0.30},   // eyes
+    {{0, -7.0, 9.8}, 2.6, 4.8, 0.44},     // mouth
+    {{0.7, -4.5, 10.3}, 1.2, 2.8, 0.62},  // base of the nose
+    {{7.4, -1.5, -1.7}, 3.0, 5.2, 0.42},  // ears
 };
 
-double spacing(const Eigen::Vector3d& p) {
+double feature_spacing(const Eigen::Vector3d& p) {
     const Vec3 q{std::abs(p.x()) * kHeadHeight, p.y() * kHeadHeight, p.z() * kHeadHeight};
     double product = 1.0;
     for (const Feature& each : kFeatures) {
         const Vec3 d = q - each.centre;
-        product *= 1.0 - (1.0 - each.spacing) *
-                             sculpt::bump_square(sculpt::dot(d, d) / (each.radius * each.radius));
+        const double away = sculpt::ramp(std::sqrt(sculpt::dot(d, d)), each.inner, each.outer);
+        product *= each.spacing + (1.0 - each.spacing) * away;
     }
     return product;
 }
@@ -68,14 +68,33 @@ ImplicitSurface in_head_heights(const Field& field) {
     };
 }
 
-/// The sum over triangles of area over spacing squared: what a remeshed part's triangles are in proportion to.
-double triangle_demand(const Mesh& mesh) {
+/// Edge lengths relative to those of the cranium; longer behind the border, where `side` is positive.
+class Spacing {
+public:
+    explicit Spacing(HeadCrop crop) : crop_(crop) {}
+    double operator()(const Eigen::Vector3d& p) const {
+        if (crop_ == HeadCrop::Closed) return feature_spacing(p);
+        const double beyond =
+            side_of(crop_, Vec3{kHeadHeight * p.x(), kHeadHeight * p.y(), kHeadHeight * p.z()});
+        const double away = sculpt::ramp(beyond, 0.5, kAway);
+        return feature_spacing(p) * (1.0 - away) + kCoarse * away;
+    }
+
+private:
+    HeadCrop crop_;
+};
+
+/// The sum over triangles of area over spacing squared: what a remeshed part's triangles are in proportion
+/// to.
+double triangle_demand(const Mesh& mesh, const Spacing& spacing) {
     const Eigen::VectorXd areas = triangle_areas(mesh);
     double sum = 0.0;
     for (int f = 0; f < mesh.triangle_count(); ++f) {
         const Eigen::Vector3d centre =
-            (mesh.V.row(mesh.F(f, 0)) + mesh.V.row(mesh.F(f, 1)) + mesh.V.row(mesh.F(f, 2))).transpose() / 3.0;
-        sum += areas[f] / std::pow(spacing(centre), 2);
+            (mesh.V.row(mesh.F(f, 0)) + mesh.V.row(mesh.F(f, 1)) + mesh.V.row(mesh.F(f, 2))).transpose() /
+            3.0;
+        const double size = spacing(centre);
+        sum += areas[f] / (size * size);
     }
     return sum;
 }
@@ -105,9 +124,11 @@ Mesh head(const HeadOptions& options) {
     RemeshOptions remeshing;
     remeshing.triangles = options.shape.triangles;
     remeshing.seed = options.shape.seed;
+    const Spacing spacing(options.crop);
     remeshing.spacing = spacing;
     if (options.crop != HeadCrop::Closed) {
-        const double share = triangle_demand(crop(start, surface, side)) / triangle_demand(start);
+        const double share =
+            triangle_demand(crop(start, surface, side), spacing) / triangle_demand(start, spacing);
         remeshing.triangles = static_cast<int>(std::lround(options.shape.triangles / share));
     }
     Mesh mesh = remesh(start, surface, remeshing);

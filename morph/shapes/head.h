@@ -9,10 +9,10 @@
 
 namespace automorph {
 
-/// A human head: one neutral sculpture, carried to other proportions by a smooth deformation of space, so that
-/// every point of one head has its exact counterpart on every other. Frame: x to the head's left, y up, z
-/// forwards; the origin between the ears at the height of the pupils; symmetric about x = 0. The neutral head
-/// is 1 high from chin to crown.
+/// A human head: one neutral sculpture, carried to other proportions by a smooth deformation of space, so
+/// that every point of one head has its exact counterpart on every other. Frame: x to the head's left, y up,
+/// z forwards; the origin between the ears at the height of the pupils; symmetric about x = 0. The neutral
+/// head is 1 high from chin to crown.
 ///
 /// Proportions after Farkas, Anthropometry of the Head and Face (1994). Sizes are ratios to the neutral head;
 /// the others are shifts in hundredths of the head's height, positive for more.
@@ -52,8 +52,8 @@ inline constexpr int kHeadParameterCount = 25;
 extern const std::array<HeadParameter, kHeadParameterCount> kHeadParameters;
 
 /// Averages and types. Asian and Caucasian follow the differences of group means in anthropometric surveys
-/// (breadth of the face, height of the nose's root, width of the nose, fullness of the upper lid); every group
-/// holds more variety than lies between them.
+/// (breadth of the face, height of the nose's root, width of the nose, fullness of the upper lid); every
+/// group holds more variety than lies between them.
 enum class HeadPreset { Neutral, Asian, Caucasian, Narrow, Broad, Child, Caricature };
 HeadParameters head_parameters(HeadPreset preset);
 

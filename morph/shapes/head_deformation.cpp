@@ -7,8 +7,8 @@
 #include "morph/shapes/head.h"
 #include "morph/shapes/sculpt.h"
 
-// p goes to p + sum of displacements, all evaluated at the neutral p. Each is a linear or constant motion about
-// an anatomical centre times a window: 1 at its centre, 0 beyond its semi-axes, C2. Centimetres inside.
+// p goes to p + sum of displacements, all evaluated at the neutral p. Each is a linear or constant motion
+// about an anatomical centre times a window: 1 at its centre, 0 beyond its semi-axes, C2. Centimetres inside.
 
 namespace automorph {
 
@@ -32,8 +32,8 @@ struct Motion {
         : at(p), folded{soft_abs(p.x, 0.5), p.y, p.z}, moved(p), side(p.x / soft_abs(p.x, 0.5)) {}
 
     S window(const Vec3& c, const Vec3& r) const {
-        return bump_square(S(square(S((at.x - c.x) / r.x)) + square(S((at.y - c.y) / r.y)) +
-                             square(S((at.z - c.z) / r.z))));
+        return bump_square(
+            S(square(S((at.x - c.x) / r.x)) + square(S((at.y - c.y) / r.y)) + square(S((at.z - c.z) / r.z))));
     }
     S paired(const Vec3& c, const Vec3& r) const {
         return bump_square(S(square(S((folded.x - c.x) / r.x)) + square(S((folded.y - c.y) / r.y)) +
@@ -78,7 +78,8 @@ Vec<S> deform(const P& h, const Vec<S>& p) {
     m.stretch(m.window({0, -9.0, 3.5}, {12, 7.0, 11}), {0, 0, 0}, (h.jaw_width - 1) * 1.15, 0, 0);
     m.shift(m.window({0, 6.5, 8.0}, {8, 5.5, 6}), 0, 0, h.forehead * kShift);
     m.shift(m.paired({2.6, 1.9, 8.8}, {4.2, 2.2, 3.2}), 0, 0, h.brow_ridge * kShift);
-    m.shift(m.paired({4.9, -2.2, 6.0}, {3.4, 3.4, 5.0}), 0.6 * h.cheekbones * kShift, 0, h.cheekbones * kShift);
+    m.shift(m.paired({4.9, -2.2, 6.0}, {3.4, 3.4, 5.0}), 0.6 * h.cheekbones * kShift, 0,
+            h.cheekbones * kShift);
     m.shift(m.paired({4.2, -5.6, 5.6}, {3.2, 4.0, 5.2}), 0.9 * h.cheeks * kShift, 0, 0.5 * h.cheeks * kShift);
     m.shift(m.window({0, -10.4, 8.6}, {4.5, 3.4, 5.0}), 0, 0, h.chin * kShift);
 
@@ -119,8 +120,8 @@ void check(const P& parameters) {
     for (const HeadParameter& each : kHeadParameters) {
         const double found = parameters.*each.member;
         if (!(found >= each.least && found <= each.most)) {
-            throw InvalidMesh(fmt::format("head: {} is {:g}, expected {:g} to {:g}", each.name, found, each.least,
-                                          each.most));
+            throw InvalidMesh(fmt::format("head: {} is {:g}, expected {:g} to {:g}", each.name, found,
+                                          each.least, each.most));
         }
     }
 }
@@ -131,12 +132,12 @@ struct Deformed {
     Eigen::Matrix3d derivative;
 };
 Deformed with_derivative(const P& parameters, const Eigen::Vector3d& p) {
-    const Vec<Jet> moved = deform(
-        parameters, Vec<Jet>{Jet(p.x(), 1, 0, 0), Jet(p.y(), 0, 1, 0), Jet(p.z(), 0, 0, 1)});
+    const Vec<Jet> moved =
+        deform(parameters, Vec<Jet>{Jet(p.x(), 1, 0, 0), Jet(p.y(), 0, 1, 0), Jet(p.z(), 0, 0, 1)});
     Deformed result;
     result.place << moved.x.value, moved.y.value, moved.z.value;
-    result.derivative << moved.x.x, moved.x.y, moved.x.z, moved.y.x, moved.y.y, moved.y.z, moved.z.x, moved.z.y,
-        moved.z.z;
+    result.derivative << moved.x.x, moved.x.y, moved.x.z, moved.y.x, moved.y.y, moved.y.z, moved.z.x,
+        moved.z.y, moved.z.z;
     return result;
 }
 
@@ -165,7 +166,8 @@ Eigen::Vector3d undo(const P& parameters, const Eigen::Vector3d& place) {
     }
     if (error <= 100.0 * kClose) return p;  // rounding
     throw SolverFailure(fmt::format("no point of the neutral head goes to ({:g} {:g} {:g})",
-                                    place.x() / kHeadHeight, place.y() / kHeadHeight, place.z() / kHeadHeight));
+                                    place.x() / kHeadHeight, place.y() / kHeadHeight,
+                                    place.z() / kHeadHeight));
 }
 
 }  // namespace

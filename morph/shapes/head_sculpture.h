@@ -67,7 +67,7 @@ S with_eyes(S d, const Vec<S>& q) {
     d = blend(d, ellipsoid(q, kEye, kLids), k);
     // The fold of skin between brow and lid.
     static const Turn hang = turn(0, 22, -7);
-    d = blend(d, ellipsoid(q, {3.3, 1.22, 6.85}, {1.95, 0.5, 1.05}, hang), 0.3);
+    d = blend(d, ellipsoid(q, {3.3, 1.22, 6.85}, {1.95, 0.5, 1.05}, hang), 0.45);
     // Opening between the margins of the lids.
     const S s = (x + 0.05) * (1.0 / 1.42), arch = 1.0 - s * s, line = 0.10 * s - 0.02;
     const S upper = line + 0.62 * arch * (1.0 - 0.22 * s), lower = line - 0.46 * arch * (1.0 + 0.22 * s);
@@ -125,11 +125,11 @@ S with_ears(S d, const Vec<S>& q) {
     const S qa = (u - 0.05) / width, qb = v * (1.0 / 2.95);
     const S ring = sqrt(qa * qa + qb * qb + 1e-4);
     const S lean = w - 0.25 * qa * qa * 0.6;
-    S ear = ellipsoid(Vec<S>{lean, v, qa * 1.6}, {0, 0, 0}, {0.46, 2.95, 1.6});
+    S ear = ellipsoid(Vec<S>{lean, v, qa * 1.6}, {0, 0, 0}, {0.5, 2.95, 1.6});
     // helix: a rolled rim that fades into the lobe
-    const S roll = 0.10 + 0.15 * ramp(v, -2.4, 0.4);
-    const S helix = sqrt(square(S((ring - 0.92) * 1.9)) + square(S(lean - 0.30)) + 1e-4) - roll;
-    ear = blend(ear, helix, 0.15);
+    const S roll = 0.20 + 0.07 * ramp(v, -2.4, 0.4);
+    const S helix = sqrt(square(S((ring - 0.90) * 1.9)) + square(S(lean - 0.24)) + 1e-4) - roll;
+    ear = blend(ear, helix, 0.18);
     // antihelix: an inner fold behind the bowl
     ear = blend(ear, limb(Vec<S>{lean, v, u}, {0.18, -1.3, 0.35}, {0.18, 0.1, 0.75}, 0.24, 0.22), 0.25);
     ear = blend(ear, limb(Vec<S>{lean, v, u}, {0.18, 0.1, 0.75}, {0.10, 1.5, 0.25}, 0.22, 0.18), 0.25);

@@ -115,7 +115,8 @@ private:
         return (a.position - b.position).norm() / (0.5 * (a.spacing + b.spacing));
     }
     double distance(Vertex a, Vertex b) const {
-        return distance(points_[static_cast<std::size_t>(a.idx())], points_[static_cast<std::size_t>(b.idx())]);
+        return distance(points_[static_cast<std::size_t>(a.idx())],
+                        points_[static_cast<std::size_t>(b.idx())]);
     }
 
     double length(Edge e) const {
@@ -284,7 +285,8 @@ private:
 
     /// Moves every vertex by up to kShake edge lengths.
     void shake() {
-        for (const auto v : topology_.vertices()) move(v, kShake * length_ * spacing(v) * random_.in_ball<3>());
+        for (const auto v : topology_.vertices())
+            move(v, kShake * length_ * spacing(v) * random_.in_ball<3>());
     }
 
     /// Moves a vertex along its tangent plane and back to the surface, unless that folds a triangle over.

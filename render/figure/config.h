@@ -35,8 +35,8 @@ struct MeshConfig {
     HeadPreset preset = HeadPreset::Neutral;  ///< of the head
     HeadParameters proportions;               ///< of the head: the preset's with the config's changes
     HeadCrop crop = HeadCrop::Closed;         ///< of the head
-    int triangles = 8000;    ///< of the shape, about
-    std::uint64_t seed = 1;  ///< of the shape's tessellation
+    int triangles = 8000;                     ///< of the shape, about
+    std::uint64_t seed = 1;                   ///< of the shape's tessellation
     Turn rotation;
     double scale = 1;
     Eigen::Vector3d translation{0, 0, 0};

@@ -70,7 +70,8 @@ Section<HeadParameters> proportions_section() {
 
 /// A preset sets all proportions; those of the config come after it.
 Key<MeshConfig> preset_key() {
-    Key<MeshConfig> key = choice("preset", &MeshConfig::preset, kHeadPresets, "which average or type the head is");
+    Key<MeshConfig> key =
+        choice("preset", &MeshConfig::preset, kHeadPresets, "which average or type the head is");
     key.read = [read = key.read](MeshConfig& into, const YAML::Node& node, const Place& place) {
         read(into, node, place);
         into.proportions = head_parameters(into.preset);
@@ -100,9 +101,10 @@ Section<MeshConfig> mesh_section() {
         only_with("shape: head",
                   section("proportions", &M::proportions, proportions_section(),
                           "what differs from the preset; the defaults below are the neutral head's")),
-        only_with("shape: head", choice("crop", &M::crop, kHeadCrops,
-                                        "the whole head closed below, cut at the neck, or the face in front of "
-                                        "the ears")),
+        only_with("shape: head",
+                  choice("crop", &M::crop, kHeadCrops,
+                         "the whole head closed below, cut at the neck, or the face in front of "
+                         "the ears")),
         value("triangles", &M::triangles, {64, 10'000'000}, "of the generated shape, about"),
         value("seed", &M::seed, kSeed, "another seed gives another tessellation of the same shape"),
         section("rotation", &M::rotation, rotation_section(), "turns the mesh, after scaling"),

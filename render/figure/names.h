@@ -27,9 +27,9 @@ inline constexpr std::array kNormals{Named<render::Normals>{"smooth", render::No
                                      Named<render::Normals>{"flat", render::Normals::Flat}};
 
 inline constexpr std::array kHeadPresets{
-    Named<HeadPreset>{"neutral", HeadPreset::Neutral},     Named<HeadPreset>{"asian", HeadPreset::Asian},
-    Named<HeadPreset>{"caucasian", HeadPreset::Caucasian}, Named<HeadPreset>{"narrow", HeadPreset::Narrow},
-    Named<HeadPreset>{"broad", HeadPreset::Broad},         Named<HeadPreset>{"child", HeadPreset::Child},
+    Named<HeadPreset>{"neutral", HeadPreset::Neutral},      Named<HeadPreset>{"asian", HeadPreset::Asian},
+    Named<HeadPreset>{"caucasian", HeadPreset::Caucasian},  Named<HeadPreset>{"narrow", HeadPreset::Narrow},
+    Named<HeadPreset>{"broad", HeadPreset::Broad},          Named<HeadPreset>{"child", HeadPreset::Child},
     Named<HeadPreset>{"caricature", HeadPreset::Caricature}};
 inline constexpr std::array kHeadCrops{Named<HeadCrop>{"closed", HeadCrop::Closed},
                                        Named<HeadCrop>{"head", HeadCrop::Head},

@@ -55,7 +55,8 @@ void run(const StarArguments& arguments, const Surroundings& surroundings) {
 void run(const HeadArguments& arguments, const Surroundings& surroundings) {
     HeadOptions options{head_parameters(arguments.preset), arguments.crop, arguments.options};
     for (std::size_t k = 0; k < kHeadParameters.size(); ++k) {
-        if (arguments.proportions[k]) options.parameters.*kHeadParameters[k].member = *arguments.proportions[k];
+        if (arguments.proportions[k])
+            options.parameters.*kHeadParameters[k].member = *arguments.proportions[k];
     }
     write_shape(arguments.out, head(options), surroundings);
 }
