@@ -17,11 +17,11 @@ namespace automorph {
 
 namespace {
 
+using sculpt::kHeadHeight;
 using sculpt::Vec;
 using sculpt::Vec3;
 
-constexpr double kHeadHeight = 23.0;  // of the sculpture, cm
-constexpr double kCell = 0.25;        // cm; the slit between the lips and the space behind the ears are wider
+constexpr double kCell = 0.25;  // cm; the slit between the lips and the space behind the ears are wider
 constexpr Eigen::Vector3d::Scalar kBox[2][3] = {{-10.5, -18.5, -12.5}, {10.5, 13.0, 14.0}};
 constexpr double kAway = 8.0, kCoarse = 1.8;  // cm behind a border; edges there, relative
 constexpr double kNeckCut = -15.3;            // height of the cut, cm
@@ -36,7 +36,7 @@ constexpr Feature kFeatures[] = {
     {{3.1, 0.15, 8.0}, 1.7, 3.6, 0.30},   // eyes
     {{0, -7.0, 9.8}, 2.6, 4.8, 0.44},     // mouth
     {{0.7, -4.5, 10.3}, 1.2, 2.8, 0.62},  // base of the nose
-    {{7.4, -1.5, -1.7}, 3.0, 5.2, 0.42},  // ears
+    {{7.4, -1.5, -1.7}, 3.3, 5.2, 0.34},  // ears
 };
 
 double feature_spacing(const Eigen::Vector3d& p) {

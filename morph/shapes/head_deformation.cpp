@@ -5,7 +5,7 @@
 
 #include "morph/mesh/errors.h"
 #include "morph/shapes/head.h"
-#include "morph/shapes/sculpt.h"
+#include "morph/shapes/head_sculpture.h"
 
 // p goes to p + sum of displacements, all evaluated at the neutral p. Each is a linear or constant motion
 // about an anatomical centre times a window: 1 at its centre, 0 beyond its semi-axes, C2. Centimetres inside.
@@ -17,8 +17,7 @@ namespace {
 using namespace sculpt;
 using P = HeadParameters;
 
-constexpr double kHeadHeight = 23.0;  // cm
-constexpr double kShift = 0.01 * kHeadHeight;
+constexpr double kShift = 0.01 * kHeadHeight;  // a hundredth, cm
 
 /// Collects the motion of one point.
 template <class S>
@@ -63,8 +62,7 @@ Vec<S> deform(const P& h, const Vec<S>& p) {
     const Vec3 eye{3.15, 0, 7.0}, mouth{0, -7.0, 9.5};
 
     // The whole, with ramps that keep the other parts.
-    const S above = ramp(p.y, -2.0, 5.0), below = 1.0 - ramp(p.y, -4.0, 0.0),
-            over_neck = ramp(p.y, -16.0, -8.0), in_front = ramp(p.z, -2.0, 7.0);
+    const S above = ramp(p.y, -2.0, 5.0), below = 1.0 - ramp(p.y, -4.0, 0.0);
     m.stretch(ramp(p.y, -6.0, 3.0), {0, 0, 0}, h.head_width - 1, 0, 0);
     m.stretch(above, {0, 0, 0}, 0, h.head_height - 1, 0);
     m.stretch(S(ramp(p.y, -8.0, 1.0) * (1.0 - ramp(p.z, -1.0, 7.0))), {0, 0, 3}, 0, 0, h.head_length - 1);
@@ -111,8 +109,6 @@ Vec<S> deform(const P& h, const Vec<S>& p) {
     // Ears.
     m.stretch_pair(m.paired({7.2, -1.5, -1.5}, {3.2, 5.6, 4.6}), {6.6, -1.5, -0.6}, 0.6 * (h.ear_size - 1),
                    h.ear_size - 1, h.ear_size - 1);
-    (void)over_neck;
-    (void)in_front;
     return m.moved;
 }
 

@@ -20,8 +20,8 @@ const std::array<HeadParameter, kHeadParameterCount> kHeadParameters{{
     {"nose_width", &P::nose_width, 0.75, 1.35, "between the wings, ratio"},
     {"mouth_width", &P::mouth_width, 0.8, 1.25, "between the corners, ratio"},
     {"lip_fullness", &P::lip_fullness, 0.7, 1.4, "height and thickness of the lips, ratio"},
-    {"ear_size", &P::ear_size, 0.7, 1.4, "ratio"},
-    {"neck_width", &P::neck_width, 0.75, 1.2, "ratio"},
+    {"ear_size", &P::ear_size, 0.7, 1.4, "height of the ears, ratio"},
+    {"neck_width", &P::neck_width, 0.75, 1.2, "width of the neck, ratio"},
     {"forehead", &P::forehead, -3, 3, "upper part forwards, hundredths of the head's height"},
     {"brow_ridge", &P::brow_ridge, -2, 2, "forwards, hundredths"},
     {"eye_tilt", &P::eye_tilt, -1.5, 1.5, "outer corner up against the inner one, hundredths"},
@@ -44,13 +44,13 @@ HeadParameters head_parameters(HeadPreset preset) {
             h.head_length = 0.95;
             h.face_width = 1.05;
             h.jaw_width = 1.03;
-            h.eye_opening = 0.86;
+            h.eye_opening = 0.82;
             h.eye_tilt = 0.6;
-            h.lid_fullness = 0.8;
+            h.lid_fullness = 0.9;
             h.brow_ridge = -1.0;
-            h.nose_bridge = -1.5;
+            h.nose_bridge = -2.0;
             h.nose_protrusion = -1.0;
-            h.nose_width = 1.10;
+            h.nose_width = 1.12;
             h.nose_length = 0.96;
             h.cheekbones = 1.0;
             h.lip_fullness = 1.08;
@@ -103,9 +103,9 @@ HeadParameters head_parameters(HeadPreset preset) {
             h.nose_tip = 0.9;
             h.mouth_width = 0.9;
             h.lip_fullness = 1.05;
-            h.cheeks = 1.8;
-            h.chin = -1.2;
-            h.neck_width = 0.78;
+            h.cheeks = 1.0;
+            h.chin = -0.8;
+            h.neck_width = 0.86;
             break;
         case HeadPreset::Caricature:
             h.head_height = 0.88;

@@ -2,12 +2,17 @@
 
 #include "morph/shapes/sculpt.h"
 
-/// The neutral head as a field in centimetres.
+/// The neutral head, sculpted in centimetres as head_surface() describes: p is a point, q the same with x
+/// folded to the left half, on which everything paired is made once. Distances after the means of Farkas,
+/// Anthropometry of the Head and Face (1994), between those of women and men. Each with_*() adds its part to
+/// the field d, and leaves alone what is out of its reach.
 namespace automorph::sculpt {
+
+inline constexpr double kHeadHeight = 23.0;  // chin to crown, cm
 
 // ---- masses: cranium, face, jaw, neck --------------------------------------------------------------
 template <class S>
-S skull(const Vec<S>& p, const Vec<S>& q) {  // q: x folded
+S skull(const Vec<S>& p, const Vec<S>& q) {
     S d = ellipsoid(p, {0, 3.7, -2.2}, {7.5, 7.5, 7.4});
     d = blend(d, ellipsoid(p, {0, 3.4, 1.7}, {6.2, 7.3, 7.4}), 4.0);
     // temples
@@ -29,6 +34,8 @@ S face(const Vec<S>& p, const Vec<S>& q) {
     // cheeks, and the rim of the orbit at its outer side
     d = blend(d, ellipsoid(q, {3.1, -5.0, 5.0}, {2.2, 3.0, 2.6}), 2.0);
     d = blend(d, limb(q, {4.75, 1.3, 5.4}, {4.7, -1.6, 5.9}, 0.6, 0.8), 1.8);
+    // cheek up to the lower lid
+    d = blend(d, ellipsoid(q, {3.2, -1.75, 6.35}, {1.8, 1.0, 1.3}), 1.3);
     // muzzle: what the lips lie on
     d = blend(d, ellipsoid(p, {0, -6.7, 7.9}, {2.5, 2.0, 2.0}), 1.6);
     // chin
@@ -66,7 +73,7 @@ S with_eyes(S d, const Vec<S>& q) {
     const S k = 0.35 + 0.8 * ramp(S(0.35 * soft_abs(x, 0.2) - y), -0.6, 0.8);
     d = blend(d, ellipsoid(q, kEye, kLids), k);
     // The fold of skin between brow and lid.
-    static const Turn hang = turn(0, 22, -7);
+    static const Turn hang = turn(0, 31, -9);
     d = blend(d, ellipsoid(q, {3.3, 1.22, 6.85}, {1.95, 0.5, 1.05}, hang), 0.45);
     // Opening between the margins of the lids.
     const S s = (x + 0.05) * (1.0 / 1.42), arch = 1.0 - s * s, line = 0.10 * s - 0.02;
@@ -74,7 +81,7 @@ S with_eyes(S d, const Vec<S>& q) {
     const S opening = -blend(S(upper - y), S(y - lower), 0.08) * 0.85;
     const S front = kEye.z - q.z + 0.2;  // the back half stays
     d = carve(d, S(-blend(S(-opening), S(-front), 0.2)), 0.09);
-    d = blend(d, ellipsoid(q, kEye, kEyeball), 0.04);
+    d = blend(d, ellipsoid(q, kEye, kEyeball), 0.14);
     // caruncle
     return blend(d, ellipsoid(q, {1.85, -0.08, 7.55}, {0.25, 0.14, 0.25}), 0.15);
 }
@@ -87,7 +94,7 @@ S with_nose(S d, const Vec<S>& p, const Vec<S>& q) {
     S n = limb(p, {0, 1.0, 8.3}, {0, -3.0, 10.25}, 0.72, 0.85);
     n = blend(n, ellipsoid(p, {0, -3.75, 10.8}, {0.8, 0.72, 0.95}), 0.8);
     n = blend(n, ellipsoid(q, {0.5, -2.9, 9.0}, {1.0, 2.2, 1.2}), 1.0);
-    n = blend(n, ellipsoid(q, {0.95, -4.1, 9.8}, {0.56, 0.66, 1.0}, wing), 0.7);
+    n = blend(n, ellipsoid(q, {0.95, -4.1, 9.8}, {0.56, 0.66, 1.0}, wing), 0.85);
     n = blend(n, limb(p, {0, -4.2, 10.8}, {0, -4.7, 9.8}, 0.42, 0.42), 0.5);
     d = blend(d, n, 0.9);
     return carve(d, ellipsoid(q, {0.55, -4.9, 10.2}, {0.28, 0.55, 0.55}, hole), 0.3);
@@ -97,8 +104,7 @@ S with_nose(S d, const Vec<S>& p, const Vec<S>& q) {
 template <class S>
 S with_mouth(S d, const Vec<S>& p, const Vec<S>& q) {
     if (!near(p, {0, -7.0, 9.5}, 4.6)) return d;
-    using std::sqrt;
-    static const Turn above = turn(-12, 24, -9), below = turn(10, 20, 7);
+    static const Turn above = turn(-12, 32, -10), below = turn(10, 29, 8);
     // philtrum
     d = carve(d, limb(p, {0, -5.0, 10.3}, {0, -6.35, 10.42}, 0.24, 0.36), 0.4);
     // Two halves and the tubercle make the upper lip, two halves the lower.

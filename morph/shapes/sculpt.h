@@ -5,8 +5,7 @@
 #include "morph/shapes/jet.h"
 
 /// The clay and the tools of a sculpture given by a field: bodies that are blended, cut and carved. Each is
-/// written for a scalar S, double or Jet, and is at least C1. All lengths in the sculpture's unit. Only
-/// square roots are used, so that every machine computes the same bits.
+/// written for a scalar S, double or Jet, and is at least C1. All lengths in the sculpture's unit.
 namespace automorph::sculpt {
 
 /// A point, or a vector, as formulas see it.
@@ -86,7 +85,7 @@ S ellipsoid(const Vec<S>& p, const Vec3& centre, const Vec3& semi) {
     return norm * (norm - 1.0) / sqrt(b);
 }
 
-/// A right-handed turn of coordinates by angles (radians) about x, then y, then z.
+/// A right-handed turn of coordinates by angles (degrees) about x, then y, then z.
 struct Turn {
     double m[3][3];
 };
