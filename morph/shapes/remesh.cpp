@@ -47,7 +47,10 @@ constexpr double kDelaunay = -1e-9;
 class Remesher {
 public:
     Remesher(const Mesh& start, const ImplicitSurface& surface, const RemeshOptions& options)
-        : surface_(surface), random_(options.seed), topology_(connectivity(start.F, start.vertex_count())) {
+        : surface_(surface),
+          spacing_(options.spacing),
+          random_(options.seed),
+          topology_(connectivity(start.F, start.vertex_count())) {
         for (const auto h : topology_.halfedges()) {
             if (h.is_boundary())
                 throw InvalidMesh(fmt::format("remesh: the mesh to start from is not closed"));
@@ -60,7 +63,7 @@ public:
         wanted_triangles_ = std::max(4, 2 * (options.triangles / 2));
         wanted_vertices_ = wanted_triangles_ / 2 + excess;
         vertex_count_ = start.vertex_count();
-        for (int v = 0; v < start.vertex_count(); ++v) points_.push_back(project(surface_, start.V.row(v)));
+        for (int v = 0; v < start.vertex_count(); ++v) points_.push_back(locate(start.V.row(v)));
     }
 
     Mesh run() {
@@ -97,9 +100,28 @@ private:
     const Vector& position(Vertex v) const { return points_[static_cast<std::size_t>(v.idx())].position; }
     const Vector& normal(Vertex v) const { return points_[static_cast<std::size_t>(v.idx())].normal; }
 
+    double spacing(Vertex v) const { return points_[static_cast<std::size_t>(v.idx())].spacing; }
+
+    struct Sample : SurfacePoint {
+        double spacing;
+    };
+    Sample locate(const Vector& start) const {
+        const SurfacePoint point = project(surface_, start);
+        return {point, spacing_ ? spacing_(point.position) : 1.0};
+    }
+
+    /// Distance relative to the spacing there. All lengths below are.
+    static double distance(const Sample& a, const Sample& b) {
+        return (a.position - b.position).norm() / (0.5 * (a.spacing + b.spacing));
+    }
+    double distance(Vertex a, Vertex b) const {
+        return distance(points_[static_cast<std::size_t>(a.idx())],
+                        points_[static_cast<std::size_t>(b.idx())]);
+    }
+
     double length(Edge e) const {
         const Halfedge h = topology_.halfedge_handle(e, 0);
-        return (position(topology_.to_vertex_handle(h)) - position(topology_.from_vertex_handle(h))).norm();
+        return distance(topology_.to_vertex_handle(h), topology_.from_vertex_handle(h));
     }
 
     std::array<Vertex, 3> corners(Face f) const {
@@ -128,12 +150,13 @@ private:
         return least;
     }
 
-    /// The edge length of equilateral triangles of the wanted number on the present area.
+    /// The relative edge length of equilateral triangles of the wanted number on the present area.
     void measure() {
         double area = 0.0;
         for (const auto f : topology_.faces()) {
             const auto [a, b, c] = corners(f);
-            area += 0.5 * (position(b) - position(a)).cross(position(c) - position(a)).norm();
+            const double mean = (spacing(a) + spacing(b) + spacing(c)) / 3.0;
+            area += 0.5 * (position(b) - position(a)).cross(position(c) - position(a)).norm() / (mean * mean);
         }
         length_ = std::sqrt(4.0 * area / (std::sqrt(3.0) * wanted_triangles_));
     }
@@ -142,9 +165,9 @@ private:
     /// coarse for the surface, the middle may be projected far away.
     bool split(Edge e, double longest) {
         const auto ends = diamond(e);
-        const SurfacePoint middle = project(surface_, 0.5 * (position(ends[0]) + position(ends[1])));
+        const Sample middle = locate(0.5 * (position(ends[0]) + position(ends[1])));
         for (const Vertex v : ends) {
-            if ((position(v) - middle.position).norm() > longest) return false;
+            if (distance(points_[static_cast<std::size_t>(v.idx())], middle) > longest) return false;
         }
         points_.push_back(middle);
         topology_.split(e, topology_.new_vertex());
@@ -179,7 +202,7 @@ private:
         for (const auto spoke : topology_.voh_range(gone)) {
             const Vertex b = topology_.to_vertex_handle(spoke);
             const Vertex c = topology_.to_vertex_handle(topology_.next_halfedge_handle(spoke));
-            if (b != stays && (position(b) - position(stays)).norm() > longest) return false;
+            if (b != stays && distance(b, stays) > longest) return false;
             if (b != stays && c != stays && !upright(stays, b, c)) return false;
         }
         if (!topology_.is_collapse_ok(h)) return false;
@@ -244,7 +267,10 @@ private:
         for (const auto f : topology_.faces()) {
             const auto triangle = corners(f);
             const auto [a, b, c] = triangle;
-            const double weight = (position(b) - position(a)).cross(position(c) - position(a)).norm();
+            // Spacing is the -1/4th power of the density whose centroidal Voronoi cells have it.
+            const double mean = (spacing(a) + spacing(b) + spacing(c)) / 3.0;
+            const double weight = (position(b) - position(a)).cross(position(c) - position(a)).norm() /
+                                  (mean * mean * mean * mean);
             const Vector centroid = (position(a) + position(b) + position(c)) / 3.0;
             for (const Vertex v : triangle) {
                 area[static_cast<std::size_t>(v.idx())] += weight;
@@ -259,17 +285,17 @@ private:
 
     /// Moves every vertex by up to kShake edge lengths.
     void shake() {
-        for (const auto v : topology_.vertices()) move(v, kShake * length_ * random_.in_ball<3>());
+        for (const auto v : topology_.vertices())
+            move(v, kShake * length_ * spacing(v) * random_.in_ball<3>());
     }
 
     /// Moves a vertex along its tangent plane and back to the surface, unless that folds a triangle over.
     void move(Vertex v, const Vector& displacement) {
-        SurfacePoint& point = points_[static_cast<std::size_t>(v.idx())];
-        const SurfacePoint before = point;
+        Sample& point = points_[static_cast<std::size_t>(v.idx())];
+        const Sample before = point;
         const double least =
             std::min(uprightness(v), kUpright);  // one that is folded already may unfold in steps
-        point = project(surface_,
-                        before.position + displacement - displacement.dot(before.normal) * before.normal);
+        point = locate(before.position + displacement - displacement.dot(before.normal) * before.normal);
         if (uprightness(v) < least) point = before;
     }
 
@@ -319,11 +345,12 @@ private:
     }
 
     const ImplicitSurface& surface_;
+    const std::function<double(const Vector&)>& spacing_;
     Random random_;
     Connectivity topology_;
-    std::vector<SurfacePoint> points_;  // per vertex, deleted ones included
+    std::vector<Sample> points_;  // per vertex, deleted ones included
     int vertex_count_ = 0, wanted_vertices_ = 0, wanted_triangles_ = 0;
-    double length_ = 0.0;  // the wanted edge length
+    double length_ = 0.0;  // the wanted edge length, relative to the spacing
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 
 #include "morph/mesh/mesh.h"
 #include "morph/shapes/implicit.h"
@@ -10,9 +12,13 @@ namespace automorph {
 struct RemeshOptions {
     int triangles = 8000;    ///< of the result; made even, at least 4
     std::uint64_t seed = 1;  ///< every seed gives another tessellation
+    /// Wanted edge length at a point relative to other points: positive, smooth, changing by less than a
+    /// third from an edge to the next. Empty: the same everywhere.
+    std::function<double(const Eigen::Vector3d&)> spacing;
 };
 
-/// Tessellates a closed implicit surface into even, nearly equilateral triangles of one size.
+/// Tessellates a closed implicit surface into even, nearly equilateral triangles of one size, or of
+/// sizes as `spacing` asks for.
 ///
 /// Method     [Botsch04]: split long edges, collapse short ones, flip, relax in the tangent plane towards the
 ///            area-weighted centroid of each vertex' triangles, project. Then the seed comes in: vertices are

@@ -9,6 +9,7 @@
 
 #include "morph/interpolation/interpolation.h"
 #include "morph/morph.h"
+#include "morph/shapes/head.h"
 #include "morph/shapes/shapes.h"
 #include "render/geometry/triangle_mesh.h"
 
@@ -19,7 +20,7 @@ namespace automorph {
 /// Either a mesh file or a generated shape, placed in the world by y = scale * rotation * x + translation,
 /// where x is the shape, or the file's mesh after `fit`.
 struct MeshConfig {
-    enum class Shape { None, Ellipsoid, Star };
+    enum class Shape { None, Ellipsoid, Star, Head };
     struct Turn {
         Eigen::Vector3d axis{0, 0, 1};  ///< any length > 0
         double degrees = 0;             ///< counter-clockwise seen against the axis
@@ -31,8 +32,11 @@ struct MeshConfig {
     Shape shape = Shape::None;
     Eigen::Vector3d semi_axes{1, 1, 1};  ///< of the ellipsoid
     StarParameters star;
-    int triangles = 8000;    ///< of the shape, about
-    std::uint64_t seed = 1;  ///< of the shape's tessellation
+    HeadPreset preset = HeadPreset::Neutral;  ///< of the head
+    HeadParameters proportions;               ///< of the head: the preset's with the config's changes
+    HeadCrop crop = HeadCrop::Closed;         ///< of the head
+    int triangles = 8000;                     ///< of the shape, about
+    std::uint64_t seed = 1;                   ///< of the shape's tessellation
     Turn rotation;
     double scale = 1;
     Eigen::Vector3d translation{0, 0, 0};

@@ -12,7 +12,8 @@ constexpr Range kPositive{1e-9, 1e12};
 constexpr Range kSeed{0, 1.8446744073709551e19};  // whatever 64 bits hold
 
 constexpr std::array kShapes{Named<MeshConfig::Shape>{"ellipsoid", MeshConfig::Shape::Ellipsoid},
-                             Named<MeshConfig::Shape>{"star", MeshConfig::Shape::Star}};
+                             Named<MeshConfig::Shape>{"star", MeshConfig::Shape::Star},
+                             Named<MeshConfig::Shape>{"head", MeshConfig::Shape::Head}};
 
 Section<MeshConfig::Turn> rotation_section() {
     using Turn = MeshConfig::Turn;
@@ -59,6 +60,25 @@ Key<MeshConfig> of_star(Key<StarParameters> inner) {
     return only_with("shape: star", key);
 }
 
+Section<HeadParameters> proportions_section() {
+    Section<HeadParameters> table;
+    for (const HeadParameter& each : kHeadParameters) {
+        table.keys.push_back(value(each.name, each.member, {each.least, each.most}, each.meaning));
+    }
+    return table;
+}
+
+/// A preset sets all proportions; those of the config come after it.
+Key<MeshConfig> preset_key() {
+    Key<MeshConfig> key =
+        choice("preset", &MeshConfig::preset, kHeadPresets, "which average or type the head is");
+    key.read = [read = key.read](MeshConfig& into, const YAML::Node& node, const Place& place) {
+        read(into, node, place);
+        into.proportions = head_parameters(into.preset);
+    };
+    return only_with("shape: head", key);
+}
+
 Section<MeshConfig> mesh_section() {
     using M = MeshConfig;
     using S = StarParameters;
@@ -77,6 +97,14 @@ Section<MeshConfig> mesh_section() {
         of_star(value("inner", &S::inner, kPositive, "distance of the star's valleys from its centre")),
         of_star(
             value("depth", &S::depth, kPositive, "half the thickness of the star at its centre, along z")),
+        preset_key(),
+        only_with("shape: head",
+                  section("proportions", &M::proportions, proportions_section(),
+                          "what differs from the preset; the defaults below are the neutral head's")),
+        only_with("shape: head",
+                  choice("crop", &M::crop, kHeadCrops,
+                         "the whole head closed below, cut at the neck, or the face in front of "
+                         "the ears")),
         value("triangles", &M::triangles, {64, 10'000'000}, "of the generated shape, about"),
         value("seed", &M::seed, kSeed, "another seed gives another tessellation of the same shape"),
         section("rotation", &M::rotation, rotation_section(), "turns the mesh, after scaling"),

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "morph/mesh/geometry.h"
+#include "morph/shapes/head.h"
 #include "morph/shapes/shapes.h"
 
 namespace automorph {
@@ -36,6 +37,8 @@ InputMesh make_mesh(const MeshConfig& config, const std::string& name) {
             return admit_mesh(ellipsoid(config.semi_axes, options), name);
         case MeshConfig::Shape::Star:
             return admit_mesh(star(config.star, options), name);
+        case MeshConfig::Shape::Head:
+            return admit_mesh(head({config.proportions, config.crop, options}), name);
         case MeshConfig::Shape::None:
             break;
     }

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "morph/morph.h"
+#include "morph/shapes/head.h"
 #include "render/geometry/triangle_mesh.h"
 
 /// What the values of options are called in configs, on the command line and in results.
@@ -28,6 +29,15 @@ inline constexpr std::array kDomains{Named<Domain>{"auto", Domain::Auto}, Named<
                                      Named<Domain>{"cut", Domain::Cut}};
 inline constexpr std::array kNormals{Named<render::Normals>{"smooth", render::Normals::Smooth},
                                      Named<render::Normals>{"flat", render::Normals::Flat}};
+
+inline constexpr std::array kHeadPresets{
+    Named<HeadPreset>{"neutral", HeadPreset::Neutral},      Named<HeadPreset>{"asian", HeadPreset::Asian},
+    Named<HeadPreset>{"caucasian", HeadPreset::Caucasian},  Named<HeadPreset>{"narrow", HeadPreset::Narrow},
+    Named<HeadPreset>{"broad", HeadPreset::Broad},          Named<HeadPreset>{"child", HeadPreset::Child},
+    Named<HeadPreset>{"caricature", HeadPreset::Caricature}};
+inline constexpr std::array kHeadCrops{Named<HeadCrop>{"closed", HeadCrop::Closed},
+                                       Named<HeadCrop>{"head", HeadCrop::Head},
+                                       Named<HeadCrop>{"face", HeadCrop::Face}};
 
 /// Name of a value. @pre the value is in the list
 template <class E, std::size_t N>

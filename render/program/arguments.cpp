@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <map>
@@ -24,6 +25,7 @@ constexpr const char* kExamples = R"(Examples:
   automorph morph a.obj b.obj --correspondence c.csv --report r.json
       writes where each vertex of a.obj goes on b.obj, and what was found and used
   automorph shape star star.ply --arms 6
+  automorph shape head face.ply --preset asian --crop face --triangles 20000
   automorph info scan.stl
 'automorph COMMAND --help' tells more about a command.)";
 
@@ -133,8 +135,24 @@ void add_shape_options(CLI::App& command, std::filesystem::path& out, ShapeOptio
         ->capture_default_str();
 }
 
-void add_shape(CLI::App& app, EllipsoidArguments& round, StarArguments& star) {
-    CLI::App* command = app.add_subcommand("shape", "Generates a closed shape");
+void add_head(CLI::App& shapes, HeadArguments& head) {
+    CLI::App* command = shapes.add_subcommand("head", "A human head; every proportion can be changed");
+    add_shape_options(*command, head.out, head.options);
+    add_choice(*command, "--preset", head.preset, kHeadPresets, "Average or type");
+    add_choice(*command, "--crop", head.crop, kHeadCrops,
+               "Closed below, cut at the neck, or the face in front of the ears");
+    for (std::size_t k = 0; k < kHeadParameters.size(); ++k) {
+        const HeadParameter& each = kHeadParameters[k];
+        std::string flag = std::string("--") + each.name;
+        std::replace(flag.begin(), flag.end(), '_', '-');
+        command->add_option(flag, head.proportions[k], std::string(each.meaning) + " [the preset's]")
+            ->check(CLI::Range(each.least, each.most))
+            ->group("Proportions");
+    }
+}
+
+void add_shape(CLI::App& app, EllipsoidArguments& round, StarArguments& star, HeadArguments& head) {
+    CLI::App* command = app.add_subcommand("shape", "Generates a shape");
     command->require_subcommand(1);
     const CLI::Range positive(1e-9, 1e12);
 
@@ -159,6 +177,8 @@ void add_shape(CLI::App& app, EllipsoidArguments& round, StarArguments& star) {
     arms->add_option("--depth", star.parameters.depth, "Half thickness")
         ->check(positive)
         ->capture_default_str();
+
+    add_head(*command, head);
 }
 
 int refuse(const CLI::App& app, const CLI::ParseError& error) {
@@ -194,11 +214,12 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
     MorphArguments morph;
     EllipsoidArguments ellipsoid;
     StarArguments star;
+    HeadArguments head;
     InfoArguments info;
     ConfigArguments config;
     add_figure(app, figure);
     add_morph(app, morph);
-    add_shape(app, ellipsoid, star);
+    add_shape(app, ellipsoid, star, head);
     CLI::App* info_command =
         app.add_subcommand("info", "Tells what a mesh file holds and whether it can be morphed");
     info_command->add_option("MESH", info.meshes, "Mesh files")->type_name("FILE")->required();
@@ -217,6 +238,7 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
     if (app.got_subcommand("morph")) arguments.command = morph;
     if (shape_command->got_subcommand("ellipsoid")) arguments.command = ellipsoid;
     if (shape_command->got_subcommand("star")) arguments.command = star;
+    if (shape_command->got_subcommand("head")) arguments.command = head;
     if (app.got_subcommand("info")) arguments.command = info;
     if (app.got_subcommand("config")) arguments.command = config;
     return arguments;

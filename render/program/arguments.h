@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "morph/morph.h"
+#include "morph/shapes/head.h"
 #include "morph/shapes/shapes.h"
 
 /// What the command line asks for, one struct per subcommand. Its reading is CLI11's only door.
@@ -42,6 +44,14 @@ struct StarArguments {
     ShapeOptions options;
 };
 
+struct HeadArguments {
+    std::filesystem::path out;
+    HeadPreset preset = HeadPreset::Neutral;
+    std::array<std::optional<double>, kHeadParameterCount> proportions;  ///< in place of the preset's
+    HeadCrop crop = HeadCrop::Closed;
+    ShapeOptions options;
+};
+
 struct InfoArguments {
     std::vector<std::filesystem::path> meshes;
 };
@@ -52,7 +62,7 @@ struct ConfigArguments {
 };
 
 using Command = std::variant<FigureArguments, MorphArguments, EllipsoidArguments, StarArguments,
-                             InfoArguments, ConfigArguments>;
+                             HeadArguments, InfoArguments, ConfigArguments>;
 
 struct Arguments {
     Command command;

@@ -17,6 +17,7 @@ void run(const FigureArguments& arguments, const Surroundings& surroundings);
 void run(const MorphArguments& arguments, const Surroundings& surroundings);
 void run(const EllipsoidArguments& arguments, const Surroundings& surroundings);
 void run(const StarArguments& arguments, const Surroundings& surroundings);
+void run(const HeadArguments& arguments, const Surroundings& surroundings);
 void run(const InfoArguments& arguments, const Surroundings& surroundings);
 void run(const ConfigArguments& arguments, const Surroundings& surroundings);
 

@@ -3,6 +3,7 @@
 #include "morph/mesh/admit.h"
 #include "morph/mesh/errors.h"
 #include "morph/mesh/io.h"
+#include "morph/shapes/head.h"
 #include "morph/shapes/shapes.h"
 #include "render/figure/config.h"
 #include "render/figure/text_file.h"
@@ -49,6 +50,15 @@ void run(const StarArguments& arguments, const Surroundings& surroundings) {
                                       arguments.parameters.inner, arguments.parameters.outer));
     }
     write_shape(arguments.out, star(arguments.parameters, arguments.options), surroundings);
+}
+
+void run(const HeadArguments& arguments, const Surroundings& surroundings) {
+    HeadOptions options{head_parameters(arguments.preset), arguments.crop, arguments.options};
+    for (std::size_t k = 0; k < kHeadParameters.size(); ++k) {
+        if (arguments.proportions[k])
+            options.parameters.*kHeadParameters[k].member = *arguments.proportions[k];
+    }
+    write_shape(arguments.out, head(options), surroundings);
 }
 
 void run(const InfoArguments& arguments, const Surroundings&) {

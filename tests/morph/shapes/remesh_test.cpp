@@ -81,6 +81,30 @@ TEST_CASE("The result owes nothing to the pattern of the mesh it starts from") {
     CHECK(triangle_quality(mesh).least_angle > 25.0);
 }
 
+TEST_CASE("Edges follow the spacing asked for, and triangles stay even") {
+    RemeshOptions options;
+    options.triangles = 6000;
+    options.spacing = [](const Eigen::Vector3d& p) { return 0.65 - 0.35 * p.z(); };  // 0.3 above to 1 below
+    const Mesh mesh = remesh(radial_mesh(unit_sphere, 2.0, 1), unit_sphere, options);
+    CHECK(mesh.triangle_count() == 6000);
+    CHECK(triangle_quality(mesh).least_angle > 22.0);
+    // Every triangle's area is the same share of the spacing squared.
+    const Eigen::VectorXd areas = triangle_areas(mesh);
+    double above = 0.0, below = 0.0;
+    int count_above = 0, count_below = 0;
+    for (int f = 0; f < mesh.triangle_count(); ++f) {
+        const Eigen::Vector3d centre =
+            (mesh.V.row(mesh.F(f, 0)) + mesh.V.row(mesh.F(f, 1)) + mesh.V.row(mesh.F(f, 2))).transpose() /
+            3.0;
+        const double relative = areas[f] / std::pow(options.spacing(centre), 2);
+        (centre.z() > 0.8 ? above : below) += centre.z() > 0.8 || centre.z() < -0.8 ? relative : 0.0;
+        count_above += centre.z() > 0.8;
+        count_below += centre.z() < -0.8;
+    }
+    CHECK(above / count_above == Approx(below / count_below).epsilon(0.15));
+    CHECK(count_above > 6 * count_below);
+}
+
 TEST_CASE("Very few triangles still make a closed surface that faces outwards") {
     for (const int triangles : {4, 12, 20, 50}) {
         RemeshOptions options;

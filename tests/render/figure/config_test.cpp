@@ -71,6 +71,28 @@ TEST_CASE("paths of a config are relative to its folder, absolute ones stay") {
     CHECK(figure.output == fs::path("folder/made"));
 }
 
+TEST_CASE("a head is a preset with changes, in any order of the keys") {
+    const FigureConfig figure =
+        parse(R"(source: {proportions: {nose_width: 1.2}, shape: head, preset: asian, crop: face}
+target: {shape: head}
+rows: [{label: r}]
+)");
+    HeadParameters expected = head_parameters(HeadPreset::Asian);
+    expected.nose_width = 1.2;
+    for (const HeadParameter& each : kHeadParameters) {
+        CAPTURE(each.name);
+        CHECK(figure.source.proportions.*each.member == expected.*each.member);
+        CHECK(figure.target.proportions.*each.member == HeadParameters{}.*each.member);
+    }
+    CHECK(figure.source.crop == HeadCrop::Face);
+    CHECK(figure.target.crop == HeadCrop::Closed);
+    check_error("source: {shape: star, preset: asian}\n", "1:23",
+                {"source.preset has a meaning only beside 'shape: head'"});
+    check_error("source: {shape: head, proportions: {nose_width: 3}}\n", "1:49",
+                {"source.proportions.nose_width", "3", "0.75", "1.35"});
+    check_error("source: {shape: head, proportions: {nose: 1}}\n", "1:37", {"nose"});
+}
+
 TEST_CASE("every value of a full config arrives") {
     const FigureConfig figure = parse(R"(title: "A title: with a colon"
 source:
@@ -189,7 +211,7 @@ TEST_CASE("a value outside its range or choice is refused with what is allowed")
                 {"rows[0].interpolation: found 'slurp', expected one of linear, rigid-linear, slerp",
                  "did you mean 'slerp'?"});
     check_error("source: {shape: cube}\n", "1:17",
-                {"source.shape: found 'cube', expected one of ellipsoid, star"});
+                {"source.shape: found 'cube', expected one of ellipsoid, star, head"});
     check_error("source: {shape: ellipsoid, semi_axes: [1, 0, 1]}\n", "1:43", {"semi_axes[1]: found '0'"});
 }
 

@@ -173,6 +173,15 @@ TEST_CASE("the command line arrives in full") {
         command_of<EllipsoidArguments>({"shape", "ellipsoid", "e.ply", "--semi-axes", "1", "2", "3"});
     CHECK(round.semi_axes == std::vector<double>{1, 2, 3});
 
+    const auto head = command_of<HeadArguments>(
+        {"shape", "head", "h.ply", "--preset", "child", "--crop", "face", "--nose-width", "1.2"});
+    CHECK(head.preset == HeadPreset::Child);
+    CHECK(head.crop == HeadCrop::Face);
+    for (std::size_t k = 0; k < kHeadParameters.size(); ++k) {
+        const bool is_changed = std::string(kHeadParameters[k].name) == "nose_width";
+        CHECK(head.proportions[k] == (is_changed ? std::optional<double>(1.2) : std::nullopt));
+    }
+
     const auto all = std::get<Arguments>(read({"morph", "a", "b", "--threads", "2", "-q"}));
     CHECK(all.threads == 2);
     CHECK(all.quiet);
@@ -189,6 +198,8 @@ TEST_CASE("a wrong command line ends with status 1, help and version with 0") {
     CHECK(status_of({"figure", "x.yaml", "--scale", "0"}) == 1);
     CHECK(status_of({"shape", "star"}) == 1);
     CHECK(status_of({"shape", "star", "x.ply", "--arms", "2"}) == 1);
+    CHECK(status_of({"shape", "head", "h.ply", "--preset", "martian"}) == 1);
+    CHECK(status_of({"shape", "head", "h.ply", "--nose-width", "9"}) == 1);
     CHECK(status_of({"--help"}) == 0);
     CHECK(status_of({"morph", "--help"}) == 0);
     CHECK(status_of({"--version"}) == 0);
