@@ -84,7 +84,10 @@ Mesh radial_shape(const ImplicitSurface& surface, double radius, const ShapeOpti
     RemeshOptions remeshing;
     remeshing.triangles = options.triangles;
     remeshing.seed = options.seed;
-    Mesh mesh = remesh(radial_mesh(surface, radius, options.seed), surface, remeshing);
+    return posed(remesh(radial_mesh(surface, radius, options.seed), surface, remeshing), options);
+}
+
+Mesh posed(Mesh mesh, const ShapeOptions& options) {
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         const Eigen::Vector3d p = mesh.V.row(v).transpose();
         mesh.V.row(v) = (options.scale * (options.rotation * p) + options.translation).transpose();

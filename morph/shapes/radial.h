@@ -11,6 +11,9 @@ namespace automorph {
 /// @throws SolverFailure if the field is not negative at the origin and positive at `radius` along a ray
 Mesh radial_mesh(const ImplicitSurface& surface, double radius, std::uint64_t seed);
 
+/// The mesh in the pose that the options say.
+Mesh posed(Mesh mesh, const ShapeOptions& options);
+
 /// radial_mesh(), remeshed and posed as the options say.
 Mesh radial_shape(const ImplicitSurface& surface, double radius, const ShapeOptions& options);
 

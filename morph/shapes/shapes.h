@@ -18,10 +18,11 @@ struct ShapeOptions {
     double scale = 1.0;
 };
 
-/// Closed ellipsoid about the origin with the given semi-axes along x, y, z. Vertices lie on it to rounding;
+/// Ellipsoid about the origin with the given semi-axes along x, y, z. Vertices lie on it to rounding;
 /// the triangles are even (see remesh.h) and face outwards. The same options give the same bits.
-/// @throws InvalidMesh unless all semi-axes are positive and finite
-Mesh ellipsoid(const Eigen::Vector3d& semi_axes, const ShapeOptions& options = {});
+/// @param opening  this share of its height along z is cut off below by a plane: 0 leaves it closed
+/// @throws InvalidMesh unless all semi-axes are positive and finite and 0 <= opening <= 0.9
+Mesh ellipsoid(const Eigen::Vector3d& semi_axes, const ShapeOptions& options = {}, double opening = 0.0);
 
 /// Closed, smooth, solid star: `arms` rounded arms in the xy-plane, the first along x; in that plane tips at
 /// radius `outer`, valleys at `inner`, half-thickness `depth` in z at the centre.

@@ -31,6 +31,7 @@ struct MeshConfig {
                       ///< from it to 1
     Shape shape = Shape::None;
     Eigen::Vector3d semi_axes{1, 1, 1};  ///< of the ellipsoid
+    double opening = 0;                  ///< of the ellipsoid: share of its height cut off below
     StarParameters star;
     HeadPreset preset = HeadPreset::Neutral;  ///< of the head
     HeadParameters proportions;               ///< of the head: the preset's with the config's changes

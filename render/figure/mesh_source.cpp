@@ -34,7 +34,7 @@ InputMesh make_mesh(const MeshConfig& config, const std::string& name) {
     options.scale = config.scale;
     switch (config.shape) {
         case MeshConfig::Shape::Ellipsoid:
-            return admit_mesh(ellipsoid(config.semi_axes, options), name);
+            return admit_mesh(ellipsoid(config.semi_axes, options, config.opening), name);
         case MeshConfig::Shape::Star:
             return admit_mesh(star(config.star, options), name);
         case MeshConfig::Shape::Head:

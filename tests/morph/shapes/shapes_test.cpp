@@ -238,6 +238,15 @@ TEST_CASE("The same seed gives the same bits") {
     }
 }
 
+TEST_CASE("An opening cuts the ellipsoid off in a plane") {
+    const Mesh mesh = ellipsoid({1.0, 0.8, 0.5}, {.triangles = 3000, .seed = 2}, 0.25);
+    const auto loops = boundary_loops(mesh, connectivity(mesh.F, mesh.vertex_count()));
+    REQUIRE(loops.size() == 1);
+    for (const int v : loops[0]) CHECK(mesh.V(v, 2) == Approx(-0.25).margin(1e-9));
+    CHECK(mesh.V.col(2).minCoeff() > -0.25 - 1e-9);
+    CHECK_THROWS_AS(ellipsoid({1, 1, 1}, {}, 1.0), InvalidMesh);
+}
+
 TEST_CASE("Another seed gives another tessellation of the same surface", "[sweep]") {
     for (const bool is_star : {false, true}) {
         const auto make = [&](std::uint64_t seed) {
