@@ -82,7 +82,9 @@ private:
                 shortest = std::min(shortest, (position(topology_.to_vertex_handle(h)) - position(v)).norm());
                 is_beside = is_beside || crosses(topology_.edge_handle(h));
             }
-            if (!is_beside) continue;
+            // To first order; farther away there need not be a border point to find.
+            const double away = std::abs(value(v)) / side_(position(v)).gradient.norm();
+            if (!is_beside || away > 2.0 * kSnap * shortest) continue;
             const Vector target = project_to_curve(surface_, side_, position(v));
             const double distance = (target - position(v)).norm() / shortest;
             if (distance < kSnap) close.emplace_back(distance, v.idx());

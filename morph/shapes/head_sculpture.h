@@ -30,7 +30,7 @@ S face(const Vec<S>& p, const Vec<S>& q) {
     d = blend(d, ellipsoid(q, {4.5, -4.8, 2.0}, {1.35, 3.8, 2.6}, masseter), 2.2);
     // cheekbone and arch
     d = blend(d, ellipsoid(q, {3.7, -2.4, 5.2}, {2.3, 1.7, 2.0}, malar), 2.6);
-    d = blend(d, limb(q, {5.2, -1.7, 4.4}, {6.1, -1.0, 0.0}, 0.8, 0.6), 2.2);
+    d = blend(d, limb(q, {5.1, -1.8, 4.4}, {6.0, -1.2, 0.0}, 0.65, 0.45), 2.4);
     // cheeks, and the rim of the orbit at its outer side
     d = blend(d, ellipsoid(q, {3.1, -5.0, 5.0}, {2.2, 3.0, 2.6}), 2.0);
     d = blend(d, limb(q, {4.75, 1.3, 5.4}, {4.7, -1.6, 5.9}, 0.6, 0.8), 1.8);
@@ -91,8 +91,8 @@ template <class S>
 S with_nose(S d, const Vec<S>& p, const Vec<S>& q) {
     if (!near(q, {0, -2.2, 9.5}, 6.0)) return d;
     static const Turn wing = turn(-12, 22, 8), hole = turn(-20, 12, 0);
-    S n = limb(p, {0, 1.0, 8.3}, {0, -3.0, 10.25}, 0.72, 0.85);
-    n = blend(n, ellipsoid(p, {0, -3.75, 10.8}, {0.8, 0.72, 0.95}), 0.8);
+    S n = limb(p, {0, 1.0, 8.3}, {0, -3.2, 10.45}, 0.72, 0.80);
+    n = blend(n, ellipsoid(p, {0, -3.8, 10.75}, {0.8, 0.72, 0.95}), 0.9);
     n = blend(n, ellipsoid(q, {0.5, -2.9, 9.0}, {1.0, 2.2, 1.2}), 1.0);
     n = blend(n, ellipsoid(q, {0.95, -4.1, 9.8}, {0.56, 0.66, 1.0}, wing), 0.85);
     n = blend(n, limb(p, {0, -4.2, 10.8}, {0, -4.7, 9.8}, 0.42, 0.42), 0.5);
@@ -108,7 +108,7 @@ S with_mouth(S d, const Vec<S>& p, const Vec<S>& q) {
     // philtrum
     d = carve(d, limb(p, {0, -5.0, 10.3}, {0, -6.35, 10.42}, 0.24, 0.36), 0.4);
     // Two halves and the tubercle make the upper lip, two halves the lower.
-    S upper = ellipsoid(q, {1.0, -6.60, 9.45}, {1.75, 0.41, 0.66}, above);
+    S upper = ellipsoid(q, {1.0, -6.60, 9.45}, {1.62, 0.41, 0.66}, above);
     upper = blend(upper, ellipsoid(p, {0, -6.70, 9.7}, {0.65, 0.36, 0.5}), 0.5);
     S lower = ellipsoid(q, {0.65, -7.53, 9.42}, {1.6, 0.52, 0.72}, below);
     const S lips = blend(upper, lower, 0.05);
@@ -137,8 +137,8 @@ S with_ears(S d, const Vec<S>& q) {
     const S helix = sqrt(square(S((ring - 0.90) * 1.9)) + square(S(lean - 0.24)) + 1e-4) - roll;
     ear = blend(ear, helix, 0.18);
     // antihelix: an inner fold behind the bowl
-    ear = blend(ear, limb(Vec<S>{lean, v, u}, {0.18, -1.3, 0.35}, {0.18, 0.1, 0.75}, 0.24, 0.22), 0.25);
-    ear = blend(ear, limb(Vec<S>{lean, v, u}, {0.18, 0.1, 0.75}, {0.10, 1.5, 0.25}, 0.22, 0.18), 0.25);
+    ear = blend(ear, limb(Vec<S>{lean, v, u}, {0.18, -1.3, 0.35}, {0.18, 0.1, 0.75}, 0.29, 0.27), 0.25);
+    ear = blend(ear, limb(Vec<S>{lean, v, u}, {0.18, 0.1, 0.75}, {0.10, 1.5, 0.25}, 0.27, 0.20), 0.25);
     // bowl, with the tragus before it and the lobe below
     ear = carve(ear, ellipsoid(Vec<S>{lean, v, u}, {0.66, -0.55, -0.25}, {0.60, 0.85, 0.62}), 0.3);
     ear = blend(ear, ellipsoid(Vec<S>{w, v, u}, {0.25, -0.75, -0.95}, {0.28, 0.45, 0.3}), 0.3);
