@@ -43,7 +43,8 @@ Vector project_to_curve(const ImplicitSurface& surface, const ImplicitSurface& s
         if (move.norm() <= kClose * (p.norm() + 1e-3)) return p;
     }
     throw SolverFailure(
-        fmt::format("no border point found near ({:g} {:g} {:g})", start.x(), start.y(), start.z()));
+        fmt::format("no border point found near ({:g} {:g} {:g}); with more triangles there is one",
+                    start.x(), start.y(), start.z()));
 }
 
 class Cropper {
@@ -84,7 +85,7 @@ private:
             }
             // To first order; farther away there need not be a border point to find.
             const double away = std::abs(value(v)) / side_(position(v)).gradient.norm();
-            if (!is_beside || away > 2.0 * kSnap * shortest) continue;
+            if (!is_beside || away > kSnap * shortest) continue;
             const Vector target = project_to_curve(surface_, side_, position(v));
             const double distance = (target - position(v)).norm() / shortest;
             if (distance < kSnap) close.emplace_back(distance, v.idx());
