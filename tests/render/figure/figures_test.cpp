@@ -30,8 +30,8 @@ struct MadeFigure {
     Mesh halfway(std::size_t row) const { return rows[row].mesh(0.5, config.rows[row].interpolation); }
 };
 
-/// How far the edges of the merged mesh are from the mean of their lengths at the ends, relative to it: the mean
-/// over all, weighted by length.
+/// How far the edges of the merged mesh are from the mean of their lengths at the ends, relative to it: the
+/// mean over all, weighted by length.
 double edge_distortion(const Morph& morph, const Mesh& halfway) {
     const Points a = morph.frame(0), b = morph.frame(1);
     double difference = 0.0, total = 0.0;
@@ -46,14 +46,16 @@ double edge_distortion(const Morph& morph, const Mesh& halfway) {
     return difference / total;
 }
 
-/// Mean distance between where a row takes the vertices in front of the face and where they belong, in percent of the
-/// target's diagonal.
+/// Mean distance between where a row takes the vertices in front of the face and where they belong, in
+/// percent of the target's diagonal.
 double mean_error(const MadeFigure& figure, std::size_t row) {
     const auto unposed = [](const MeshConfig& mesh, const Points& points) -> Points {
-        return ((points.rowwise() - mesh.translation.transpose()) * rotation_matrix(mesh.rotation)) / mesh.scale;
+        return ((points.rowwise() - mesh.translation.transpose()) * rotation_matrix(mesh.rotation)) /
+               mesh.scale;
     };
-    const Points truth = corresponding_head_points(unposed(figure.config.source, figure.source.mesh.V),
-                                                   figure.config.source.proportions, figure.config.target.proportions);
+    const Points truth =
+        corresponding_head_points(unposed(figure.config.source, figure.source.mesh.V),
+                                  figure.config.source.proportions, figure.config.target.proportions);
     const Points found = unposed(figure.config.target, figure.rows[row].correspondence());
     return 100.0 * (found - truth).rowwise().norm().mean() / bounding_box_diagonal(truth);
 }
@@ -63,10 +65,13 @@ double mean_error(const MadeFigure& figure, std::size_t row) {
 TEST_CASE("figure 1: linear rows lose the head's proportions on the way, slerp rows keep them") {
     const MadeFigure figure("fig1.yaml", 5000);
     REQUIRE(figure.rows.size() == 5);
-    for (const std::size_t linear : {1, 2}) CHECK(edge_distortion(figure.rows[linear], figure.halfway(linear)) > 0.12);
-    for (const std::size_t slerp : {3, 4}) CHECK(edge_distortion(figure.rows[slerp], figure.halfway(slerp)) < 0.05);
+    for (const std::size_t linear : {1, 2})
+        CHECK(edge_distortion(figure.rows[linear], figure.halfway(linear)) > 0.12);
+    for (const std::size_t slerp : {3, 4})
+        CHECK(edge_distortion(figure.rows[slerp], figure.halfway(slerp)) < 0.05);
     // Section 3 alone collapses.
-    const double ends = 0.5 * (bounding_box_diagonal(figure.source.mesh.V) + bounding_box_diagonal(figure.target.mesh.V));
+    const double ends =
+        0.5 * (bounding_box_diagonal(figure.source.mesh.V) + bounding_box_diagonal(figure.target.mesh.V));
     CHECK(bounding_box_diagonal(figure.halfway(0).V) < 0.75 * ends);
     CHECK(bounding_box_diagonal(figure.halfway(4).V) > 0.9 * ends);
 }
@@ -74,7 +79,8 @@ TEST_CASE("figure 1: linear rows lose the head's proportions on the way, slerp r
 TEST_CASE("figure 5: features slide without guidance and are in place in the last row") {
     const MadeFigure figure("fig5.yaml", 5000);
     REQUIRE(figure.rows.size() == 4);
-    const double alone = mean_error(figure, 0), registered = mean_error(figure, 1), dense = mean_error(figure, 3);
+    const double alone = mean_error(figure, 0), registered = mean_error(figure, 1),
+                 dense = mean_error(figure, 3);
     INFO("mean errors: " << alone << ", " << registered << ", " << dense << " %");
     CHECK(alone > 2.0);
     CHECK(registered > 2.0 * dense);
@@ -93,7 +99,8 @@ TEST_CASE("figure 6: an asian face's features are those of the caucasian one in 
 TEST_CASE("figure 8: Section 3 alone collapses, the registered morph keeps its extent") {
     const MadeFigure figure("fig8.yaml", 5000);
     REQUIRE(figure.rows.size() == 2);
-    const double ends = 0.5 * (triangle_areas(figure.source.mesh).sum() + triangle_areas(figure.target.mesh).sum());
+    const double ends =
+        0.5 * (triangle_areas(figure.source.mesh).sum() + triangle_areas(figure.target.mesh).sum());
     CHECK(triangle_areas(figure.halfway(0)).sum() < 0.5 * ends);
     CHECK(triangle_areas(figure.halfway(1)).sum() > 0.8 * ends);
 }
