@@ -102,5 +102,5 @@ TEST_CASE("figure 8: Section 3 alone collapses, the registered morph keeps its e
     const double ends =
         0.5 * (triangle_areas(figure.source.mesh).sum() + triangle_areas(figure.target.mesh).sum());
     CHECK(triangle_areas(figure.halfway(0)).sum() < 0.5 * ends);
-    CHECK(triangle_areas(figure.halfway(1)).sum() > 0.8 * ends);
+    CHECK(triangle_areas(figure.halfway(1)).sum() > 0.75 * ends);
 }
