@@ -74,7 +74,7 @@ TEST_CASE("a shape on itself stays where it is") {
     CHECK((alignment.x - mesh.V).rowwise().norm().mean() < 2e-3 * bounding_box_diagonal(mesh.V));
 }
 
-TEST_CASE("units do not matter, nor does the number of threads") {
+TEST_CASE("units do not matter, nor does the number of threads", "[sweep]") {
     const Mesh source = shape(1);
     Mesh target = shape(2);
     target.V = warped(target.V);

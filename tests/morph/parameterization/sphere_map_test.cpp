@@ -355,7 +355,7 @@ TEST_CASE("open meshes keep their border where it is locked, whatever its share 
     check_locked(lock(spoiled));
 }
 
-TEST_CASE("every mesh of genus 0 among the demo meshes is mapped one-to-one") {
+TEST_CASE("every mesh of genus 0 among the demo meshes is mapped one-to-one", "[sweep]") {
     constexpr int kMostTriangles = 60000;
     int closed = 0, open = 0;
     for (const auto& file : demo_meshes()) {

@@ -100,7 +100,7 @@ TEST_CASE("A closed head is one closed manifold of genus 0 with even triangles o
     CHECK(quality.mean_least_angle > 48.0);
 }
 
-TEST_CASE("Cropped heads are disks whose border lies on the surface and on the cut") {
+TEST_CASE("Cropped heads are disks whose border lies on the surface and on the cut", "[sweep]") {
     for (const HeadCrop crop : {HeadCrop::Head, HeadCrop::Face}) {
         CAPTURE(static_cast<int>(crop));
         const Mesh mesh = crop == HeadCrop::Face ? neutral_face() : make(crop, 6000, 2);
@@ -131,7 +131,7 @@ TEST_CASE("Cropped heads are disks whose border lies on the surface and on the c
     }
 }
 
-TEST_CASE("The same options give the same bits, another seed another tessellation") {
+TEST_CASE("The same options give the same bits, another seed another tessellation", "[sweep]") {
     const Mesh a = neutral_face(), b = make(HeadCrop::Face, 6000, 2), c = make(HeadCrop::Face, 6000, 3);
     CHECK(a.F == b.F);
     REQUIRE(a.V.rows() == b.V.rows());
@@ -224,7 +224,7 @@ TEST_CASE("Every parameter moves the face symmetrically, the neutral ones nothin
     }
 }
 
-TEST_CASE("Corresponding points: surface to surface, there and back") {
+TEST_CASE("Corresponding points: surface to surface, there and back", "[sweep]") {
     const ImplicitSurface surface = head_surface();
     const HeadParameters asian = head_parameters(HeadPreset::Asian),
                          caucasian = head_parameters(HeadPreset::Caucasian);

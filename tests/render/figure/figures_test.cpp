@@ -62,7 +62,7 @@ double mean_error(const MadeFigure& figure, std::size_t row) {
 
 }  // namespace
 
-TEST_CASE("figure 1: linear rows lose the head's proportions on the way, slerp rows keep them") {
+TEST_CASE("figure 1: linear rows lose the head's proportions on the way, slerp rows keep them", "[sweep]") {
     const MadeFigure figure("fig1.yaml", 5000);
     REQUIRE(figure.rows.size() == 5);
     for (const std::size_t linear : {1, 2})
@@ -76,7 +76,7 @@ TEST_CASE("figure 1: linear rows lose the head's proportions on the way, slerp r
     CHECK(bounding_box_diagonal(figure.halfway(4).V) > 0.9 * ends);
 }
 
-TEST_CASE("figure 5: features slide without guidance and are in place in the last row") {
+TEST_CASE("figure 5: features slide without guidance and are in place in the last row", "[sweep]") {
     const MadeFigure figure("fig5.yaml", 5000);
     REQUIRE(figure.rows.size() == 4);
     const double alone = mean_error(figure, 0), registered = mean_error(figure, 1),
@@ -87,7 +87,7 @@ TEST_CASE("figure 5: features slide without guidance and are in place in the las
     CHECK(dense < 1.5);
 }
 
-TEST_CASE("figure 6: an asian face's features are those of the caucasian one in the last row") {
+TEST_CASE("figure 6: an asian face's features are those of the caucasian one in the last row", "[sweep]") {
     const MadeFigure figure("fig6.yaml", 5000);
     REQUIRE(figure.rows.size() == 3);
     const double alone = mean_error(figure, 0), dense = mean_error(figure, 2);
@@ -96,7 +96,7 @@ TEST_CASE("figure 6: an asian face's features are those of the caucasian one in 
     CHECK(dense < 0.8);
 }
 
-TEST_CASE("figure 8: Section 3 alone collapses, the registered morph keeps its extent") {
+TEST_CASE("figure 8: Section 3 alone collapses, the registered morph keeps its extent", "[sweep]") {
     const MadeFigure figure("fig8.yaml", 5000);
     REQUIRE(figure.rows.size() == 2);
     const double ends =
