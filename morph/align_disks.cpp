@@ -3,27 +3,15 @@
 #include <fmt/format.h>
 
 #include "morph/features/align.h"
+#include "morph/merge_maps.h"
 #include "morph/stage_clock.h"
 
 namespace automorph {
 
-namespace {
-
-Triangles without_fillings(const DiskToAlign& disk) {
-    Triangles surface(disk.mesh.F.rows(), 3);
-    Eigen::Index kept = 0;
-    for (Eigen::Index f = 0; f < disk.mesh.F.rows(); ++f) {
-        if (!disk.filling[static_cast<std::size_t>(f)]) surface.row(kept++) = disk.mesh.F.row(f);
-    }
-    surface.conservativeResize(kept, 3);
-    return surface;
-}
-
-}  // namespace
-
 void align_disks(DiskToAlign a, DiskToAlign b, const std::string& label, Report& report) {
     const StageClock clock(report, "features" + label);
-    const Triangles surface_a = without_fillings(a), surface_b = without_fillings(b);
+    const Triangles surface_a = without_fillings(a.mesh.F, a.filling),
+                    surface_b = without_fillings(b.mesh.F, b.filling);
     AlignedMaps aligned =
         align_features({a.mesh, surface_a, a.loop, a.rays}, {b.mesh, surface_b, b.loop, b.rays});
     a.rays = std::move(aligned.rays_a);

@@ -16,23 +16,12 @@ namespace {
 /// Share of the source's vertices above which those that cannot follow on the sphere are worth a note.
 constexpr double kManyLate = 0.2;
 
-/// The part without the triangles of fillings.
-Mesh surface_of(const Shape& shape, const MappedPart& part) {
-    const std::vector<char> filling = filling_triangles(shape, part);
-    Mesh surface = part.mesh;
-    Eigen::Index own = 0;
-    for (Eigen::Index f = 0; f < part.mesh.F.rows(); ++f) {
-        if (!filling[static_cast<std::size_t>(f)]) surface.F.row(own++) = part.mesh.F.row(f);
-    }
-    surface.F.conservativeResize(own, 3);
-    return surface;
-}
-
 /// Where a's vertices belong in b's map; the loop's vertices are where they are.
 Points places_in(const Guide& guide, const MappedPart& a, const Shape& shape_b, const MappedPart& b) {
     // Vertices of the part, refined ones included, at their places on the moved source.
     const Points x = place(guide.x, a.sites), normals = place(guide.normals, a.sites);
-    const std::vector<SurfacePlace> on_b = places_on(surface_of(shape_b, b), x, normals);
+    const Mesh surface_b{b.mesh.V, without_fillings(b.mesh.F, filling_triangles(shape_b, b))};
+    const std::vector<SurfacePlace> on_b = places_on(surface_b, x, normals);
     Points places(x.rows(), 3);
     for (Eigen::Index v = 0; v < x.rows(); ++v) places.row(v) = on_b[static_cast<std::size_t>(v)].in(b.rays);
     // Vertices of shapes come first in their parts and keep their numbers.

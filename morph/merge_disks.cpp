@@ -23,14 +23,11 @@ std::vector<Site> sites_on_shape(const Disk& disk, const BorderedMesh& bordered)
     return sites;
 }
 
-MapReport map_report(const std::string& of, const DiskMap& map) {
-    return {of,
-            name(map.weights),
-            map.reason,
-            map.quality.flipped,
-            map.quality.p01,
-            map.quality.smallest_ratio,
-            map.residual};
+MapReport disk_map_report(const std::string& of, const DiskMap& map) {
+    MapReport report = map_report(of, name(map.weights), map.quality);
+    report.reason = map.reason;
+    report.residual = map.residual;
+    return report;
 }
 
 MappedPart bordered_part(const Disk& disk, const std::vector<BorderSite>& border) {
@@ -50,7 +47,7 @@ void map_onto_disk(BorderedDisks& disks, const std::string& label, Report& repor
     const Points circle = border_rays(disks.angles);
     for (MappedPart* part : {&disks.a, &disks.b}) {
         DiskMap map = disk_map(part->mesh, part->loop, circle);
-        report.maps.push_back(map_report((part == &disks.a ? "source" : "target") + label, map));
+        report.maps.push_back(disk_map_report((part == &disks.a ? "source" : "target") + label, map));
         part->rays = std::move(map.rays);
     }
 }
@@ -67,7 +64,7 @@ std::string try_harmonic_disk(BorderedDisks& disks, Report& report) {
                 return fmt::format("the disk map squeezes the {}: p01 is {:.2g}, below {}", name,
                                    map.quality.p01, kLeastDiskQuality);
             }
-            maps.push_back(map_report(name, map));
+            maps.push_back(disk_map_report(name, map));
             part->rays = std::move(map.rays);
         } catch (const SolverFailure& failure) {
             return fmt::format("{}: {}", name, failure.what());

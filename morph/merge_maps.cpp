@@ -41,6 +41,26 @@ std::vector<char> filling_triangles(const Shape& shape, const MappedPart& part) 
     return filling;
 }
 
+Triangles without_fillings(const Triangles& F, const std::vector<char>& filling) {
+    Triangles surface(F.rows(), 3);
+    Eigen::Index kept = 0;
+    for (Eigen::Index f = 0; f < F.rows(); ++f) {
+        if (!filling[static_cast<std::size_t>(f)]) surface.row(kept++) = F.row(f);
+    }
+    surface.conservativeResize(kept, 3);
+    return surface;
+}
+
+MapReport map_report(const std::string& of, const std::string& weights, const MapQuality& quality) {
+    MapReport map;
+    map.of = of;
+    map.weights = weights;
+    map.flipped = quality.flipped;
+    map.p01 = quality.p01;
+    map.smallest_ratio = quality.smallest_ratio;
+    return map;
+}
+
 MergedPair merge_maps(const Shape& shape_a, const MappedPart& a, const Shape& shape_b, MappedPart b,
                       bool curved, const std::string& label, Report& report) {
     Overlay merged;

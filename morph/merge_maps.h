@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "morph/overlay/overlay.h"
+#include "morph/parameterization/map_quality.h"
 #include "morph/report.h"
 
 namespace automorph {
@@ -37,6 +38,12 @@ Points place_on(const Shape& shape, const std::vector<Site>& sites, bool curved)
 
 /// Per triangle of a part: it lies in a filled opening, i.e. one of its corners is the centre of a filling.
 std::vector<char> filling_triangles(const Shape& shape, const MappedPart& part);
+
+/// The triangles that are not in fillings, in their order. @param filling  per triangle
+Triangles without_fillings(const Triangles& F, const std::vector<char>& filling);
+
+/// What the report says of a map with these weights.
+MapReport map_report(const std::string& of, const std::string& weights, const MapQuality& quality);
 
 /// Overlay and triangulation of two maps of the same domain, [Urtasun04] Sec. 3. Adds its stages and the
 /// overlay to the report.

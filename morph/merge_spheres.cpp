@@ -42,14 +42,9 @@ MergedPair merge(const Shape& shape_a, MappedPart a, const Shape& shape_b, Mappe
     if (options.guide) follow_on_sphere(*options.guide, a, shape_b, b, report);
     const char* name = a.loop.empty() ? "progressive" : "progressive, border locked";
     for (const MappedPart* part : {&a, &b}) {
-        const MapQuality quality = sphere_map_quality(part->mesh, part->rays);
-        MapReport map;
-        map.of = part == &a ? "source" : "target";
-        map.weights = options.guide && part == &a ? "aligned" : name;
-        map.flipped = quality.flipped;
-        map.p01 = quality.p01;
-        map.smallest_ratio = quality.smallest_ratio;
-        report.maps.push_back(map);
+        report.maps.push_back(map_report(part == &a ? "source" : "target",
+                                         options.guide && part == &a ? "aligned" : name,
+                                         sphere_map_quality(part->mesh, part->rays)));
     }
     return merge_maps(shape_a, a, shape_b, std::move(b), options.curved, "", report);
 }

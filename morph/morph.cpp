@@ -148,12 +148,14 @@ private:
             report_.domain = "disk";
             align_features(disks, "");
             if (guide_ && follow_on_disk(*guide_, disks.a, target_shape_, disks.b, report_)) {
-                report_.maps.front() = aligned_map_report(disks.a);
+                report_.maps.front() =
+                    map_report("source", "aligned", map_quality(disks.a.mesh, disks.a.rays));
             }
             merged_ = merge_maps(source_shape_, disks.a, target_shape_, std::move(disks.b), options_.lift, "",
                                  report_);
         } else {
             report_.domain = "sphere, border locked";
+            tell_of_unused_features();
             merged_ = merge_locked_spheres(source_shape_, target_shape_, disks, sphere_options(), report_);
         }
         open_fillings();
@@ -187,17 +189,6 @@ private:
                     {disks.b.mesh, disks.b.loop, filling_b, disks.b.rays}, label, report_);
     }
 
-    static MapReport aligned_map_report(const MappedPart& part) {
-        const MapQuality quality = map_quality(part.mesh, part.rays);
-        MapReport map;
-        map.of = "source";
-        map.weights = "aligned";
-        map.p01 = quality.p01;
-        map.smallest_ratio = quality.smallest_ratio;
-        map.flipped = quality.flipped;
-        return map;
-    }
-
     /// Maps an open pair onto the disk if it is to go there. False: onto the sphere.
     bool onto_disk(BorderedDisks& disks) {
         if (options_.domain == Domain::Sphere) return false;
@@ -211,12 +202,15 @@ private:
         return false;
     }
 
-    SphereOptions sphere_options() const {
+    void tell_of_unused_features() {
         if (options_.alignment == Alignment::Features) {
             report_.notes.push_back(
                 "curvature features are laid on one another on the disk only; on the sphere "
                 "registered places are (choose the domain disk or cut)");
         }
+    }
+
+    SphereOptions sphere_options() const {
         return {.registration = registers() ? &registration_ : nullptr,
                 .guide = guide_ ? &*guide_ : nullptr,
                 .curved = options_.lift,
@@ -229,6 +223,7 @@ private:
         source_shape_ = source_.report.closed ? closed_shape(source_.mesh) : capped_shape(source_);
         target_shape_ = target_.report.closed ? closed_shape(target_.mesh) : capped_shape(target_);
         align_closed();
+        tell_of_unused_features();
         merged_ = merge_spheres(source_shape_, target_shape_, sphere_options(), report_);
         open_fillings();
     }
@@ -372,12 +367,7 @@ private:
             report_.notes.push_back(fmt::format("{} merged triangles close openings of the shapes", filled));
             return;
         }
-        int kept = 0;
-        for (Eigen::Index f = 0; f < merged_.F.rows(); ++f) {
-            if (!merged_.in_filling[static_cast<std::size_t>(f)])
-                merged_.F.row(kept++) = merged_.F.row(f).eval();
-        }
-        merged_.F.conservativeResize(kept, 3);
+        merged_.F = without_fillings(merged_.F, merged_.in_filling);
         report_.reopened_triangles = filled;
         report_.notes.push_back(fmt::format(
             "openings were filled for the maps; {} merged triangles in them were removed again", filled));

@@ -1,4 +1,5 @@
 #include "morph/cut/cut.h"
+#include "morph/mesh/index.h"
 
 #include <fmt/format.h>
 
@@ -15,10 +16,6 @@ namespace {
 
 using OpenMesh::FaceHandle;
 using OpenMesh::HalfedgeHandle;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Signed distances of the vertices from the plane, nudged into the middle of the widest gap between vertices
 /// within kPlaneNudge. No distance is 0.

@@ -1,4 +1,5 @@
 #include "morph/overlay/merge_faces.h"
+#include "morph/mesh/index.h"
 
 #include <fmt/format.h>
 
@@ -13,10 +14,6 @@ namespace automorph {
 namespace {
 
 constexpr int kMaxSides = 6;  // two triangles
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// A side of a merged face within the triangle of a at hand, with the face on its left.
 struct Side {

@@ -1,4 +1,5 @@
 #include "morph/overlay/overlay.h"
+#include "morph/mesh/index.h"
 
 #include <fmt/format.h>
 
@@ -19,10 +20,6 @@ namespace automorph {
 namespace {
 
 using On = Place::On;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// The two maps' common border: a border vertex of a and the vertex of b at the same place, or nothing if
 /// both are closed.

@@ -1,4 +1,5 @@
 #include "morph/overlay/pieces.h"
+#include "morph/mesh/index.h"
 
 #include <fmt/format.h>
 
@@ -13,10 +14,6 @@ namespace automorph {
 namespace {
 
 using On = Place::On;
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 class Linker {
 public:

@@ -1,4 +1,5 @@
 #include "morph/parameterization/border.h"
+#include "morph/mesh/index.h"
 
 #include <fmt/format.h>
 
@@ -10,10 +11,6 @@
 namespace automorph {
 
 namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 /// Finds which triangle edges are border edges.
 class BorderEdges {

@@ -1,4 +1,5 @@
 #include "morph/parameterization/decimation.h"
+#include "morph/mesh/index.h"
 
 #include <fmt/format.h>
 
@@ -18,10 +19,6 @@ namespace automorph {
 namespace {
 
 using Eigen::Vector3d;
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 /// Share of |u - v|^2 times area in the cost: enough to even out flat parts, too little to give up features.
 constexpr double kEvenness = 1e-2;

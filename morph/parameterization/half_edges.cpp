@@ -1,4 +1,5 @@
 #include "morph/parameterization/half_edges.h"
+#include "morph/mesh/index.h"
 
 #include <fmt/format.h>
 
@@ -10,14 +11,6 @@
 // b are the opposites of u r and r v; c and d those of v l and l u.
 
 namespace automorph {
-
-namespace {
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
-
-}  // namespace
 
 void HalfEdges::collapse(int h) {
     const int g = twin(h), v = origin[at(h)], u = origin[at(g)];

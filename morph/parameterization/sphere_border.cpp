@@ -1,4 +1,5 @@
 #include "morph/parameterization/sphere_border.h"
+#include "morph/mesh/index.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -13,10 +14,6 @@ namespace automorph {
 namespace {
 
 constexpr double kLeastCap = 0.002, kLargestCap = 0.5;
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 std::uint64_t edge_key(int u, int v) {
     return (static_cast<std::uint64_t>(std::min(u, v)) << 32) | static_cast<std::uint32_t>(std::max(u, v));

@@ -1,4 +1,5 @@
 #include "morph/parameterization/sphere_map.h"
+#include "morph/mesh/index.h"
 
 #include <fmt/format.h>
 
@@ -30,10 +31,6 @@ constexpr int kHub = 40;
 constexpr int kRoom = 10;
 /// Solid angles are good to a few digits less than full.
 constexpr double kAngleTolerance = 1e-6;
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 /// Regular tetrahedron, corners 0 1 2 counter-clockwise seen from outside.
 Eigen::Matrix<double, 4, 3> tetrahedron() {

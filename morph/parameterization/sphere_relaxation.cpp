@@ -1,4 +1,5 @@
 #include "morph/parameterization/sphere_relaxation.h"
+#include "morph/mesh/index.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -17,10 +18,6 @@ constexpr int kHalvings = 12;
 /// Shrinking factor of the distances at which a vertex is put back, and how far to go: 0.6^60 = 5e-14.
 constexpr double kShrink = 0.6;
 constexpr int kShrinkings = 60;
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 }  // namespace
 

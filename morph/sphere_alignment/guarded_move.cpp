@@ -1,4 +1,5 @@
 #include "morph/sphere_alignment/guarded_move.h"
+#include "morph/mesh/index.h"
 
 #include "morph/parameterization/sphere_energy.h"
 
@@ -8,10 +9,6 @@ namespace {
 
 /// After so many halvings a vertex stays where it is.
 constexpr int kHalvings = 8;
-
-std::size_t at(int index) {
-    return static_cast<std::size_t>(index);
-}
 
 }  // namespace
 

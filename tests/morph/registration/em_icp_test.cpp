@@ -14,12 +14,6 @@ using namespace automorph;
 
 namespace {
 
-Points random_points(int n, test::Random& random) {
-    Points points(n, 3);
-    for (int i = 0; i < n; ++i) points.row(i) = random.normal3();
-    return points;
-}
-
 double degrees(double radians) {
     return radians * 180.0 / std::numbers::pi;
 }
@@ -28,7 +22,7 @@ double degrees(double radians) {
 
 TEST_CASE("responsibilities obey Eq. (6)") {
     test::Random random(1);
-    const Points source = random_points(40, random), target = random_points(30, random);
+    const Points source = test::random_points(40, random), target = test::random_points(30, random);
     Registration registration;
     registration.R = random.rotation();
     registration.t = random.normal3();
@@ -88,9 +82,9 @@ TEST_CASE("responsibilities obey Eq. (6)") {
 
 TEST_CASE("remembered neighbours are those that the tree would find") {
     test::Random random(2);
-    const Points target = random_points(500, random);
+    const Points target = test::random_points(500, random);
     const NearestPoints<3> tree(target);
-    Points points = random_points(100, random);
+    Points points = test::random_points(100, random);
     Neighbourhoods remembering(tree, 100, 6);
     for (int step = 0; step < 30; ++step) {
         for (int i = 0; i < 100; ++i) points.row(i) += 0.03 * random.normal3();
@@ -132,7 +126,7 @@ TEST_CASE("EM-ICP says when it did not converge") {
 
 TEST_CASE("the starting rotations are proper and no rotation is far from all of them") {
     test::Random random(4);
-    const Points cloud = random_points(50, random);
+    const Points cloud = test::random_points(50, random);
     const auto starts = starting_rotations(cloud, cloud, 7);
     REQUIRE(starts.size() == 64);
     for (const Eigen::Matrix3d& R : starts) {

@@ -10,12 +10,6 @@ using namespace automorph;
 
 namespace {
 
-Points random_points(int n, test::Random& random) {
-    Points points(n, 3);
-    for (int i = 0; i < n; ++i) points.row(i) = random.normal3();
-    return points;
-}
-
 double cost(const Points& source, const Points& target, const Eigen::VectorXd& weights,
             const RigidMotion& motion) {
     return weights.dot((motion.apply(source) - target).rowwise().squaredNorm());
@@ -26,7 +20,7 @@ double cost(const Points& source, const Points& target, const Eigen::VectorXd& w
 TEST_CASE("weighted Procrustes recovers a known motion") {
     test::Random random(1);
     for (int trial = 0; trial < 200; ++trial) {
-        const Points source = random_points(4 + trial % 30, random);
+        const Points source = test::random_points(4 + trial % 30, random);
         Eigen::VectorXd weights(source.rows());
         for (int i = 0; i < weights.size(); ++i) weights[i] = 0.01 + random.uniform();
         const RigidMotion truth{random.rotation(), 3.0 * random.normal3()};
@@ -38,7 +32,7 @@ TEST_CASE("weighted Procrustes recovers a known motion") {
 
 TEST_CASE("points of weight zero do not count") {
     test::Random random(2);
-    const Points source = random_points(20, random);
+    const Points source = test::random_points(20, random);
     const RigidMotion truth{random.rotation(), random.normal3()};
     Points target = truth.apply(source);
     Eigen::VectorXd weights = Eigen::VectorXd::Ones(20);
@@ -54,13 +48,13 @@ TEST_CASE(
     "points") {
     test::Random random(3);
     for (int trial = 0; trial < 400; ++trial) {
-        Points source = random_points(10, random);
+        Points source = test::random_points(10, random);
         const Eigen::Vector3d squeeze = std::vector<Eigen::Vector3d>{
             {1, 1, 1}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}}[static_cast<std::size_t>(trial % 4)];
         source = source * squeeze.asDiagonal();
         Points target = source * random.rotation().transpose();
         target.col(0) *= -1.0;  // mirrored
-        target += 0.05 * random_points(10, random);
+        target += 0.05 * test::random_points(10, random);
         const Eigen::VectorXd weights = Eigen::VectorXd::Ones(10);
         const RigidMotion found = weighted_procrustes(source, target, weights);
         REQUIRE((found.R.transpose() * found.R - Eigen::Matrix3d::Identity()).norm() < 1e-12);

@@ -43,6 +43,12 @@ private:
     std::mt19937_64 generator_;
 };
 
+inline Points random_points(int n, Random& random) {
+    Points points(n, 3);
+    for (int i = 0; i < n; ++i) points.row(i) = random.normal3();
+    return points;
+}
+
 inline Mesh mesh_of(const std::vector<Eigen::Vector3d>& points,
                     const std::vector<Eigen::Vector3i>& triangles) {
     Mesh mesh{Points(points.size(), 3), Triangles(triangles.size(), 3)};
