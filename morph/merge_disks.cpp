@@ -5,6 +5,7 @@
 #include "morph/mesh/errors.h"
 #include "morph/overlay/lift.h"
 #include "morph/parameterization/disk_map.h"
+#include "morph/report_of.h"
 #include "morph/stage_clock.h"
 
 namespace automorph {
@@ -21,13 +22,6 @@ std::vector<Site> sites_on_shape(const Disk& disk, const BorderedMesh& bordered)
         sites.push_back(compose(on_edge, disk.sites));
     }
     return sites;
-}
-
-MapReport disk_map_report(const std::string& of, const DiskMap& map) {
-    MapReport report = map_report(of, name(map.weights), map.quality);
-    report.reason = map.reason;
-    report.residual = map.residual;
-    return report;
 }
 
 MappedPart bordered_part(const Disk& disk, const std::vector<BorderSite>& border) {
@@ -47,7 +41,7 @@ void map_onto_disk(BorderedDisks& disks, const std::string& label, Report& repor
     const Points circle = border_rays(disks.angles);
     for (MappedPart* part : {&disks.a, &disks.b}) {
         DiskMap map = disk_map(part->mesh, part->loop, circle);
-        report.maps.push_back(disk_map_report((part == &disks.a ? "source" : "target") + label, map));
+        report.maps.push_back(report_of((part == &disks.a ? "source" : "target") + label, map));
         part->rays = std::move(map.rays);
     }
 }
@@ -64,7 +58,7 @@ std::string try_harmonic_disk(BorderedDisks& disks, Report& report) {
                 return fmt::format("the disk map squeezes the {}: p01 is {:.2g}, below {}", name,
                                    map.quality.p01, kLeastDiskQuality);
             }
-            maps.push_back(disk_map_report(name, map));
+            maps.push_back(report_of(name, map));
             part->rays = std::move(map.rays);
         } catch (const SolverFailure& failure) {
             return fmt::format("{}: {}", name, failure.what());

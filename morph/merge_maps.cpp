@@ -51,16 +51,6 @@ Triangles without_fillings(const Triangles& F, const std::vector<char>& filling)
     return surface;
 }
 
-MapReport map_report(const std::string& of, const std::string& weights, const MapQuality& quality) {
-    MapReport map;
-    map.of = of;
-    map.weights = weights;
-    map.flipped = quality.flipped;
-    map.p01 = quality.p01;
-    map.smallest_ratio = quality.smallest_ratio;
-    return map;
-}
-
 MergedPair merge_maps(const Shape& shape_a, const MappedPart& a, const Shape& shape_b, MappedPart b,
                       bool curved, const std::string& label, Report& report) {
     Overlay merged;

@@ -42,9 +42,6 @@ std::vector<char> filling_triangles(const Shape& shape, const MappedPart& part);
 /// The triangles that are not in fillings, in their order. @param filling  per triangle
 Triangles without_fillings(const Triangles& F, const std::vector<char>& filling);
 
-/// What the report says of a map with these weights.
-MapReport map_report(const std::string& of, const std::string& weights, const MapQuality& quality);
-
 /// Overlay and triangulation of two maps of the same domain, [Urtasun04] Sec. 3. Adds its stages and the
 /// overlay to the report.
 /// @param label  " half 1" or "": tells the parts of one morph apart in the report

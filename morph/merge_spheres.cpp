@@ -6,6 +6,7 @@
 #include "morph/overlay/lift.h"
 #include "morph/parameterization/sphere_border.h"
 #include "morph/parameterization/sphere_map.h"
+#include "morph/report_of.h"
 #include "morph/sphere_alignment/align_spheres.h"
 #include "morph/stage_clock.h"
 
@@ -42,9 +43,9 @@ MergedPair merge(const Shape& shape_a, MappedPart a, const Shape& shape_b, Mappe
     if (options.guide) follow_on_sphere(*options.guide, a, shape_b, b, report);
     const char* name = a.loop.empty() ? "progressive" : "progressive, border locked";
     for (const MappedPart* part : {&a, &b}) {
-        report.maps.push_back(map_report(part == &a ? "source" : "target",
-                                         options.guide && part == &a ? "aligned" : name,
-                                         sphere_map_quality(part->mesh, part->rays)));
+        report.maps.push_back(report_of(part == &a ? "source" : "target",
+                                        options.guide && part == &a ? "aligned" : name,
+                                        sphere_map_quality(part->mesh, part->rays)));
     }
     return merge_maps(shape_a, a, shape_b, std::move(b), options.curved, "", report);
 }

@@ -17,10 +17,12 @@
 #include "morph/mesh/connectivity.h"
 #include "morph/mesh/errors.h"
 #include "morph/mesh/geometry.h"
+#include "morph/open_pair.h"
 #include "morph/overlay/lift.h"
 #include "morph/parameterization/fill.h"
 #include "morph/parameterization/map_quality.h"
 #include "morph/registration/registration.h"
+#include "morph/report_of.h"
 #include "morph/stage_clock.h"
 
 namespace automorph {
@@ -45,21 +47,6 @@ InputMesh input_mesh(const PolygonSoup& soup, const std::string& name) {
     return input;
 }
 
-RegistrationReport registration_report(const Registration& registration, bool used) {
-    RegistrationReport report;
-    report.used = used;
-    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(report.rotation.data()) = registration.R;
-    Eigen::Map<Eigen::Vector3d>(report.translation.data()) = registration.t;
-    report.scale = registration.scale;
-    report.sigma = registration.sigma;
-    report.residual = registration.residual;
-    report.runner_up = registration.runner_up;
-    report.iterations = registration.iterations;
-    report.converged = registration.converged;
-    report.confident = registration.confident;
-    return report;
-}
-
 /// Computes one morph; the members are what its steps hand on.
 class Computation {
 public:
@@ -67,7 +54,7 @@ public:
         : source_(source), target_(target), options_(options), report_(report) {
         report_.source = source.report;
         report_.target = target.report;
-        report_.registration = registration_report(registration_, false);
+        report_.registration = report_of(registration_, false);
     }
 
     void run() {
@@ -107,7 +94,7 @@ private:
     void register_shapes() {
         const StageClock clock(report_, "registration");
         registration_ = register_rigid(source_.mesh, target_.mesh, {.seed = options_.seed});
-        report_.registration = registration_report(registration_, true);
+        report_.registration = report_of(registration_, true);
         if (!registration_.confident) {
             report_.notes.push_back(
                 fmt::format("the registration is unsure: another pose fits nearly as well (residual {:.4f} "
@@ -118,38 +105,21 @@ private:
 
     /// Sec. 4.2: the longest loop is the border; further openings are filled for the map.
     void merge_open() {
-        Mesh target_mesh = target_.mesh;
-        std::vector<std::vector<int>> source_loops = loops(source_.mesh), target_loops = loops(target_mesh);
-        BorderControl control;  // Section 3 alone: an arbitrary start, the mesh's own direction
-        if (registers()) {
-            const StageClock clock(report_, "border");
-            control = registered_control(source_.mesh, source_loops[0], target_mesh, target_loops[0],
-                                         registration_);
-        }
-        if (control.target_reversed) {
-            ReversedTarget reversed = reversed_target(target_mesh, target_loops[0], control);
-            target_mesh = std::move(reversed.mesh);
-            control = reversed.control;
-            target_loops = loops(target_mesh);
-            target_loops[0] = std::move(reversed.loop);
-            report_.target_reversed = true;
-            report_.notes.push_back(
-                "the target's border runs the other way round (Eq. 8): its triangles were turned");
-        }
-        std::vector<int> source_centres, target_centres;
-        source_shape_ = open_shape(source_.mesh, source_loops, source_centres);
-        target_shape_ = open_shape(target_mesh, target_loops, target_centres);
-        const Disk a = whole(source_shape_, source_loops[0]), b = whole(target_shape_, target_loops[0]);
-        BorderUnion border = border_union(loop_points(a), loop_points(b), control);
-        align_shapes({source_.mesh, source_loops, source_centres},
-                     {target_mesh, target_loops, target_centres}, &border);
-        BorderedDisks disks = border_disks(a, b, border);
+        OpenPair pair = make_pair();
+        source_shape_ = std::move(pair.source.shape);
+        target_shape_ = std::move(pair.target.shape);
+        const Disk a = whole(source_shape_, pair.source.loops[0]),
+                   b = whole(target_shape_, pair.target.loops[0]);
+        align_shapes({source_.mesh, pair.source.loops, pair.source.centres},
+                     {pair.target_mesh, pair.target.loops, pair.target.centres}, &pair.border);
+        report_.border = report_of(pair.border);
+        BorderedDisks disks = border_disks(a, b, pair.border);
         if (onto_disk(disks)) {
             report_.domain = "disk";
             align_features(disks, "");
             if (guide_ && follow_on_disk(*guide_, disks.a, target_shape_, disks.b, report_)) {
                 report_.maps.front() =
-                    map_report("source", "aligned", map_quality(disks.a.mesh, disks.a.rays));
+                    report_of("source", "aligned", map_quality(disks.a.mesh, disks.a.rays));
             }
             merged_ = merge_maps(source_shape_, disks.a, target_shape_, std::move(disks.b), options_.lift, "",
                                  report_);
@@ -159,6 +129,17 @@ private:
             merged_ = merge_locked_spheres(source_shape_, target_shape_, disks, sphere_options(), report_);
         }
         open_fillings();
+    }
+
+    OpenPair make_pair() {
+        const StageClock clock(report_, "border");
+        OpenPair pair = open_pair(source_.mesh, target_.mesh, registers() ? &registration_ : nullptr);
+        if (pair.target_reversed) {
+            report_.target_reversed = true;
+            report_.notes.push_back(
+                "the target's border runs the other way round (Eq. 8): its triangles were turned");
+        }
+        return pair;
     }
 
     /// The dense alignment, if asked for; it places the source's border, if there is one, on the target's.
@@ -185,8 +166,7 @@ private:
         if (options_.alignment != Alignment::Features) return;
         const std::vector<char> filling_a = filling_triangles(source_shape_, disks.a),
                                 filling_b = filling_triangles(target_shape_, disks.b);
-        align_disks({disks.a.mesh, disks.a.loop, filling_a, disks.a.rays},
-                    {disks.b.mesh, disks.b.loop, filling_b, disks.b.rays}, label, report_);
+        align_disks({disks.a, filling_a}, {disks.b, filling_b}, options_.features, label, report_);
     }
 
     /// Maps an open pair onto the disk if it is to go there. False: onto the sphere.
@@ -240,15 +220,13 @@ private:
     Shape capped_shape(const InputMesh& input) {
         report_.notes.push_back(fmt::format(
             "{} is open and the other shape is closed: it was capped for the map", input.report.name));
-        const std::vector<std::vector<int>> all_loops = loops(input.mesh);
         Mesh mesh = input.mesh;
-        if (signed_volume(fill_openings(mesh, all_loops).mesh) < 0.0) {
+        if (signed_volume(fill_openings(mesh, boundary_loops(mesh)).mesh) < 0.0) {
             mesh.F.col(1).swap(mesh.F.col(2));
             report_.notes.push_back(
                 fmt::format("{} faced inwards: its triangles were turned", input.report.name));
         }
-        std::vector<int> centres;
-        return filled_shape(mesh, loops(mesh), centres);
+        return filled_shape(mesh, boundary_loops(mesh)).shape;
     }
 
     /// Sec. 6: a plane cuts both shapes into halves that share the cut as border.
@@ -275,6 +253,7 @@ private:
         const Disk a0 = half(source_cut, 0), a1 = half(source_cut, 1), b0 = half(target_cut, 0),
                    b1 = half(target_cut, 1);
         const BorderUnion border = border_union(loop_points(a0), loop_points(b0), control);
+        report_.border = report_of(border);
         const auto merged_half = [&](const Disk& a, const Disk& b, const BorderUnion& shared,
                                      const std::string& label) {
             BorderedDisks disks = border_disks(a, b, shared);
@@ -288,29 +267,7 @@ private:
         merged_ = glue(first, second);
     }
 
-    static std::vector<std::vector<int>> loops(const Mesh& mesh) {
-        return boundary_loops(mesh, connectivity(mesh.F, mesh.vertex_count()));
-    }
-
     static Points loop_points(const Disk& disk) { return disk.mesh.V(disk.loop, Eigen::all); }
-
-    /// All openings but the border are filled.
-    static Shape open_shape(const Mesh& mesh, const std::vector<std::vector<int>>& all_loops,
-                            std::vector<int>& centres) {
-        return filled_shape(mesh, {all_loops.begin() + 1, all_loops.end()}, centres);
-    }
-
-    /// @param centres  set to the centres of the fillings, one per opening
-    static Shape filled_shape(const Mesh& mesh, const std::vector<std::vector<int>>& openings,
-                              std::vector<int>& centres) {
-        Shape shape{mesh, vertex_normals(mesh), mesh.vertex_count()};
-        if (openings.empty()) return shape;
-        FilledMesh filled = fill_openings(mesh, openings);
-        shape.mesh = std::move(filled.mesh);
-        centres = std::move(filled.centres);
-        shape.normals.conservativeResizeLike(Points::Zero(shape.mesh.vertex_count(), 3));
-        return shape;
-    }
 
     static Shape closed_shape(const Mesh& mesh) { return {mesh, vertex_normals(mesh), mesh.vertex_count()}; }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "morph/alignment/options.h"
+#include "morph/features/align.h"
 #include "morph/interpolation/interpolation.h"
 #include "morph/mesh/mesh.h"
 #include "morph/report.h"
@@ -44,6 +45,7 @@ struct MorphOptions {
     Alignment alignment = Alignment::Dense;
     Openings openings = Openings::Reopen;
     Domain domain = Domain::Auto;
+    AlignOptions features = {};     ///< of Alignment::Features
     NonRigidOptions nonrigid = {};  ///< of Alignment::Dense
     bool lift = true;  ///< curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise
     std::uint64_t seed = 1;

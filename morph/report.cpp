@@ -45,10 +45,22 @@ Json json(const MapReport& map) {
             {"residual", map.residual}};
 }
 
+Json json(const BorderReport& border) {
+    return {{"source", border.source},
+            {"target", border.target},
+            {"shared", border.shared},
+            {"merged", border.merged}};
+}
+
 Json json(const FeatureReport& features) {
-    return {{"candidates_a", features.candidates_a},
-            {"candidates_b", features.candidates_b},
-            {"matched", features.matched},
+    Json matches = Json::array();
+    for (const FeatureReport::Match& match : features.matches) {
+        matches.push_back(
+            {{"source", match.source}, {"target", match.target}, {"difference", match.difference}});
+    }
+    return {{"candidates_source", features.candidates_source},
+            {"candidates_target", features.candidates_target},
+            {"matches", matches},
             {"in_place", features.in_place},
             {"warps", features.warps},
             {"rounds", features.rounds},
@@ -91,6 +103,7 @@ std::string report_json(const Report& report) {
                        {"alignment", json(report.alignment)},
                        {"domain", report.domain},
                        {"sphere_alignment", json(report.sphere_alignment)},
+                       {"border", json(report.border)},
                        {"target_reversed", report.target_reversed},
                        {"maps", json(report.maps)},
                        {"features", json(report.features)},

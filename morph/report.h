@@ -34,6 +34,13 @@ struct AlignmentReport {
     int rounds = 0;          ///< of that repair
 };
 
+/// The border insertion of Sec. 4.2: vertices of the borders.
+struct BorderReport {
+    int source = 0, target = 0;  ///< of their own
+    int shared = 0;              ///< of both
+    int merged = 0;              ///< after the insertion; 0: there was none
+};
+
 /// One map onto the domain.
 struct MapReport {
     std::string of;       ///< "source", "target", "source half 1", ...
@@ -45,8 +52,13 @@ struct MapReport {
 
 /// Curvature features of two maps, Sec. 4.3.
 struct FeatureReport {
-    int candidates_a = 0, candidates_b = 0;
-    int matched = 0;
+    /// Two vertices taken for the same feature; E of Sec. 4.3.
+    struct Match {
+        int source = 0, target = 0;
+        double difference = 0;
+    };
+    std::vector<int> candidates_source, candidates_target;  ///< vertices of the shapes as admitted
+    std::vector<Match> matches;
     int in_place = 0;                                ///< matched ones that the warp laid on one another
     int warps = 0;                                   ///< the first and those after matching again
     int rounds = 0;                                  ///< of the warps
@@ -80,6 +92,7 @@ struct Report {
     MeshReport source, target;
     RegistrationReport registration;
     AlignmentReport alignment;
+    BorderReport border;
     std::vector<MapReport> maps;
     std::vector<FeatureReport>
         features;  ///< one per pair of maps; empty unless they were aligned by features

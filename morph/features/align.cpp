@@ -45,8 +45,8 @@ AlignedMaps align_features(const MappedDisk& a, const MappedDisk& b, const Align
     AlignedMaps result;
     result.rays_a = a.rays;
     result.rays_b = b.rays;
-    result.candidates_a = static_cast<int>(of_a.vertices.size());
-    result.candidates_b = static_cast<int>(of_b.vertices.size());
+    result.candidates_a = of_a.vertices;
+    result.candidates_b = of_b.vertices;
     for (int match = 0; match <= options.rematches; ++match) {
         std::vector<FeatureMatch> matches =
             match_features(of_a, result.rays_a, of_b, result.rays_b, options.matching);

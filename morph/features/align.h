@@ -21,12 +21,14 @@ struct AlignOptions {
     /// How often features are matched again on the warped maps, as long as there are more of them each time.
     /// "Beyond" if not 0.
     int rematches = 2;
+
+    bool operator==(const AlignOptions&) const = default;
 };
 
 /// Two disk maps whose features lie on one another.
 struct AlignedMaps {
     Points rays_a, rays_b;
-    int candidates_a = 0, candidates_b = 0;
+    std::vector<int> candidates_a, candidates_b;  ///< vertices, ascending
     std::vector<FeatureMatch> matches;
     int in_place = 0;              ///< matches whose vertices are at one place, to twice the warp's tolerance
     int warps = 0;                 ///< the first and those after a rematch

@@ -27,6 +27,8 @@ struct FeatureOptions {
     /// Widths of smoothing relative to the root of the area, 0 for none; see `smoothed`. Candidates are
     /// minima at the last, E is the mean over all.
     std::vector<double> scales{0.01, 0.02, 0.04};
+
+    bool operator==(const FeatureOptions&) const = default;
 };
 
 /// The curvatures of a surface at all scales, and its candidates.

@@ -13,6 +13,8 @@ struct WarpOptions {
     double least_reach = 0.01;  ///< a d below this counts as 0: the end
     double tolerance = 1e-4;    ///< a feature nearer to its place is in place, and set there exactly
     int loops = 50;             ///< at most, per d
+
+    bool operator==(const WarpOptions&) const = default;
 };
 
 /// A warped map of one mesh.

@@ -62,4 +62,8 @@ int euler_characteristic(const Connectivity& topology) {
            static_cast<int>(topology.n_faces());
 }
 
+std::vector<std::vector<int>> boundary_loops(const Mesh& mesh) {
+    return boundary_loops(mesh, connectivity(mesh.F, mesh.vertex_count()));
+}
+
 }  // namespace automorph

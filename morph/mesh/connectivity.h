@@ -19,6 +19,7 @@ Connectivity connectivity(const Triangles& F, int vertex_count);
 /// Boundary loops as vertex cycles, each with the surface on its left (the direction of the triangles at the
 /// border), longest first by 3D length; a loop starts at its vertex of smallest index.
 std::vector<std::vector<int>> boundary_loops(const Mesh& mesh, const Connectivity& topology);
+std::vector<std::vector<int>> boundary_loops(const Mesh& mesh);
 
 /// V - E + F.
 int euler_characteristic(const Connectivity& topology);

@@ -137,7 +137,7 @@ TEST_CASE("alignment brings the features of two maps of one surface onto one ano
     REQUIRE(flipped(b.mesh.F, b.rays) == 0);
     const AlignedMaps aligned = align_features({a.mesh, a.mesh.F, a.loop, a.rays},
                                                {b.mesh, b.mesh.F, b.loop, b.rays}, unsmoothed(0.1));
-    CHECK(aligned.candidates_a == 4);
+    CHECK(aligned.candidates_a.size() == 4);
     CHECK(aligned.warps == 1);
     REQUIRE(aligned.matches.size() == 4);
     CHECK(aligned.in_place == 4);
