@@ -50,6 +50,7 @@ struct RowConfig {
     Interpolation interpolation = Interpolation::Slerp;
     Openings openings = Openings::Reopen;
     Domain domain = Domain::Auto;
+    AlignOptions features = {};     ///< of the alignment by curvature features
     NonRigidOptions nonrigid = {};  ///< of the dense alignment
     bool lift = true;
 
@@ -59,6 +60,7 @@ struct RowConfig {
         options.alignment = alignment;
         options.openings = openings;
         options.domain = domain;
+        options.features = features;
         options.nonrigid = nonrigid;
         options.lift = lift;
         options.seed = seed;
@@ -81,10 +83,19 @@ struct PictureConfig {
     render::Normals normals = render::Normals::Smooth;
 };
 
+/// What the cells of a figure show.
+enum class Show {
+    Morph,     ///< frames
+    Map,       ///< the source, and its map onto the disk or the sphere as a drawn triangulation
+    Borders,   ///< the border insertion: both borders with each other's vertices
+    Features,  ///< both shapes with their curvature features marked
+};
+
 struct FigureConfig {
     std::filesystem::path file;  ///< the config itself
     std::string text;            ///< the config's text, word for word
     std::string title;
+    Show show = Show::Morph;
     MeshConfig source, target;
     std::vector<RowConfig> rows;
     std::vector<double> alphas{0, 0.25, 0.5, 0.75, 1};

@@ -51,13 +51,18 @@ void check_mesh(const MeshConfig& mesh, const YAML::Node& node, const Place& pla
     }
 }
 
-/// Keys of the star stand beside those of the mesh: `shape: star, arms: 6`.
-Key<MeshConfig> of_star(Key<StarParameters> inner) {
-    Key<MeshConfig> key{inner.info, {}, {}};
-    key.read = [read = inner.read](MeshConfig& into, const YAML::Node& node, const Place& place) {
-        read(into.star, node, place);
+/// A key of a part stands beside those of the whole: `shape: star, arms: 6`.
+template <class T, class U>
+Key<T> of(U T::*part, Key<U> inner) {
+    Key<T> key{inner.info, {}, {}};
+    key.read = [part, read = inner.read](T& into, const YAML::Node& node, const Place& place) {
+        read(into.*part, node, place);
     };
-    return only_with("shape: star", key);
+    return key;
+}
+
+Key<MeshConfig> of_star(Key<StarParameters> inner) {
+    return only_with("shape: star", of(&MeshConfig::star, inner));
 }
 
 Section<HeadParameters> proportions_section() {
@@ -142,6 +147,37 @@ Section<NonRigidOptions> nonrigid_section() {
     return table;
 }
 
+Section<AlignOptions> features_section() {
+    using A = AlignOptions;
+    using F = FeatureOptions;
+    using W = WarpOptions;
+    Section<A> table;
+    table.keys = {
+        of(&A::matching,
+           value("largest_gaussian", &F::largest_gaussian, {-1e9, 0},
+                 "c: a candidate's Gaussian curvature lies below; free of scale, the sphere has "
+                 "12.6")),
+        of(&A::matching,
+           value("radius", &F::radius, {0, 2},
+                 "r: how far from a candidate its match may lie in the map, at mean density of points")),
+        of(&A::matching, value("largest_difference", &F::largest_difference, {0, 1e12},
+                               "m: curvatures of a match differ by less in sum")),
+        of(&A::matching, choice("targets", &F::targets, kFeatureTargets,
+                                "what a candidate may be matched with: any vertex, as in the paper, or "
+                                "candidates only")),
+        of(&A::matching, numbers("scales", &F::scales, {0, 1},
+                                 "widths over which curvature is smoothed, relative to the root of the area; "
+                                 "[0] is the paper's curvature as it comes")),
+        value("rematches", &A::rematches, {0, 100},
+              "how often features are matched again on the warped maps"),
+        of(&A::warping,
+           value("reach", &W::reach, {0, 2}, "d: how far a feature drags its neighbours at first")),
+        of(&A::warping,
+           value("shrink", &W::shrink, {0.01, 0.99}, "factor on d while features are not in place")),
+    };
+    return table;
+}
+
 Section<RowConfig> row_section() {
     using R = RowConfig;
     Section<R> table;
@@ -160,6 +196,7 @@ Section<RowConfig> row_section() {
                "closed "
                "shapes (Section 6); auto takes the sphere for closed shapes and where the disk map squeezes "
                "open ones"),
+        section("features", &R::features, features_section(), "of the alignment `features`"),
         section("nonrigid", &R::nonrigid, nonrigid_section(), "of the alignment `dense`"),
         flag("lift", &R::lift, "curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise"),
     };
@@ -201,6 +238,16 @@ Section<PictureConfig> picture_section() {
 }
 
 void check_figure(const FigureConfig& figure, const YAML::Node& node, const Place& place) {
+    const char* shown = name_of(kShows, figure.show);
+    const auto expect = [&](const char* name, bool wanted) {
+        if (node[name] && !wanted)
+            place.fail(mark_of(node, name),
+                       fmt::format("'{}' has no meaning beside 'show: {}'", name, shown));
+        if (!node[name] && wanted)
+            place.fail(node.Mark(), fmt::format("'{}' is missing in the config", name));
+    };
+    expect("target", figure.show != Show::Map);
+    expect("rows", figure.show == Show::Morph || figure.show == Show::Features);
     for (std::size_t i = 1; i < figure.alphas.size(); ++i) {
         if (figure.alphas[i] <= figure.alphas[i - 1]) {
             place.fail(node["alphas"][i].Mark(),
@@ -215,11 +262,15 @@ Section<FigureConfig> make_figure_section() {
     Section<C> table;
     table.keys = {
         text("title", &C::title, "stands above the sheet"),
+        choice("show", &C::show, kShows,
+               "what the cells show: frames of the morph; the source and its map as a drawn triangulation; "
+               "both borders with the vertices inserted; both shapes with their curvature features marked"),
         required(
             section("source", &C::source, mesh_section(), "the mesh at alpha = 0: a file, or a mapping")),
-        required(
-            section("target", &C::target, mesh_section(), "the mesh at alpha = 1: a file, or a mapping")),
-        required(list("rows", &C::rows, row_section(), "one morph each, top to bottom")),
+        section("target", &C::target, mesh_section(),
+                "the mesh at alpha = 1: a file, or a mapping; required but for `show: map`"),
+        list("rows", &C::rows, row_section(),
+             "one morph each, top to bottom; of `show: morph` and `show: features`"),
         numbers("alphas", &C::alphas, {0, 1}, "the columns, ascending: 0 is the source, 1 the target"),
         value("seed", &C::seed, kSeed, "of the registration's samples and starts"),
         section("picture", &C::picture, picture_section(), "how every cell is pictured"),

@@ -3,32 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "morph/mesh/errors.h"
-#include "render/camera/framing.h"
+#include "render/figure/drawn_figure.h"
 #include "render/figure/frames.h"
 #include "render/figure/mesh_source.h"
 #include "render/figure/sheet.h"
+#include "render/figure/stopwatch.h"
+#include "render/figure/subject.h"
 #include "render/figure/text_file.h"
-#include "render/geometry/scene.h"
 #include "render/image/image_file.h"
-#include "render/integrator/render.h"
-#include "render/studio/studio.h"
 
 namespace automorph {
 namespace {
-
-class Stopwatch {
-public:
-    double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 void tell(const Progress& progress, const std::string& task, double fraction) {
     if (progress) progress(task, fraction);
@@ -37,7 +25,7 @@ void tell(const Progress& progress, const std::string& task, double fraction) {
 /// Rows with the same options share their morph.
 bool same_morph(const RowConfig& a, const RowConfig& b) {
     return a.alignment == b.alignment && a.openings == b.openings && a.domain == b.domain &&
-           a.lift == b.lift && a.nonrigid == b.nonrigid;
+           a.lift == b.lift && a.features == b.features && a.nonrigid == b.nonrigid;
 }
 
 /// Computes each different morph once and fills in morphs and rows; returns the frames of each row.
@@ -72,66 +60,40 @@ std::vector<FrameSequence> compute_rows(const FigureConfig& config, const Figure
     return sequences;
 }
 
-render::Camera frame_rows(const PictureConfig& picture, const Figure& figure,
-                          const std::vector<FrameSequence>& sequences) {
-    render::FramingOptions options;
-    options.direction = picture.view;
-    options.up = picture.up;
-    options.vertical_fov = picture.fov;
-    options.aspect = static_cast<double>(figure.width) / figure.height;
-    options.margin = picture.margin;
-    render::Framing framing(options);
-    for (const FrameSequence& sequence : sequences) {
-        for (const Points& V : sequence.frames) framing.add(V);
-    }
-    return framing.camera();
-}
-
-render::Color color(const Eigen::Vector3d& rgb) {
-    return rgb.cast<float>().array();
-}
-
-render::Bounds bounds_of(const std::vector<FrameSequence>& sequences) {
-    render::Bounds bounds;
-    for (const FrameSequence& sequence : sequences) {
-        for (const Points& V : sequence.frames) bounds.add(V);
-    }
-    return bounds;
-}
-
-void render_row(const PictureConfig& picture, const FigureOptions& options, const FrameSequence& sequence,
-                const render::Bounds& bounds, const Figure& figure, FigureRow& row, const std::string& task) {
-    render::Scene scene({.embree_config = options.embree_config, .refit = false});
-    render::MeshOptions surface;
-    surface.normals = picture.normals;
-    surface.material.albedo = color(picture.albedo);
-    const int mesh = scene.add_mesh(sequence.frames.front(), sequence.triangles, surface);
-    render::add_studio(scene, figure.camera, bounds, {color(picture.background), picture.ground});
-
-    render::RenderOptions settings;
-    settings.width = figure.width;
-    settings.height = figure.height;
-    settings.spp = figure.spp;
-    settings.seed = picture.seed;
-    settings.threads = options.threads;
+void render_row(const Shooting& shooting, const FrameSequence& sequence, FigureRow& row,
+                const std::string& task) {
+    Subject subject(shooting, sequence.frames.front(), sequence.triangles);
     for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
         const double before = static_cast<double>(i), count = static_cast<double>(sequence.frames.size());
-        settings.progress = [&](double fraction) {
+        FigureCell cell = subject.shoot(sequence.frames[i], [&](double fraction) {
             // The row is done when the call returns with its last cell, not before.
-            tell(options.progress, task, std::min((before + fraction) / count, 0.999));
-        };
-        scene.move_mesh(mesh, sequence.frames[i]);
-        render::RenderResult result = render::render(scene, figure.camera, settings);
-        row.cells.push_back({std::move(result.image), sequence.alphas[i], result.wall_seconds, result.rays,
-                             result.bad_samples});
+            tell(shooting.options.progress, task, std::min((before + fraction) / count, 0.999));
+        });
+        cell.alpha = sequence.alphas[i];
+        cell.label = "\u03b1 = " + fraction_text(cell.alpha);
+        row.cells.push_back(std::move(cell));
     }
-    tell(options.progress, task, 1);
+    tell(shooting.options.progress, task, 1);
+}
+
+void render_morphs(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
+    const std::vector<FrameSequence> sequences = compute_rows(config, options, figure);
+    std::vector<const Points*> frames;
+    for (const FrameSequence& sequence : sequences) {
+        for (const Points& V : sequence.frames) frames.push_back(&V);
+    }
+    const Shooting shooting = shooting_of(config.picture, options, figure, frames);
+    figure.camera = shooting.camera;
+    for (std::size_t i = 0; i < sequences.size(); ++i) {
+        const std::string task = fmt::format("pictures of row {} ({})", i + 1, config.rows[i].label);
+        render_row(shooting, sequences[i], figure.rows[i], task);
+    }
 }
 
 render::Metadata metadata(const FigureConfig& config, const Figure& figure, const FigureRow& row,
                           const FigureCell& cell) {
     return {{"Software", "automorph"},           {"config", config.file.filename().string()},
-            {"row", row.config.label},           {"alpha", fmt::format("{}", cell.alpha)},
+            {"row", row.config.label},           {"cell", cell.label},
             {"spp", std::to_string(figure.spp)}, {"seed", std::to_string(config.picture.seed)}};
 }
 
@@ -145,15 +107,13 @@ Figure render_figure(const FigureConfig& config, const FigureOptions& options) {
     if (figure.spp < 1)
         throw ConfigError(fmt::format("{} samples per pixel: expected at least 1", figure.spp));
 
-    const std::vector<FrameSequence> sequences = compute_rows(config, options, figure);
-    figure.camera = frame_rows(config.picture, figure, sequences);
-    const render::Bounds bounds = bounds_of(sequences);
-    Stopwatch rendering;
-    for (std::size_t i = 0; i < sequences.size(); ++i) {
-        const std::string task = fmt::format("pictures of row {} ({})", i + 1, config.rows[i].label);
-        render_row(config.picture, options, sequences[i], bounds, figure, figure.rows[i], task);
+    Stopwatch whole;
+    if (config.show == Show::Morph) {
+        render_morphs(config, options, figure);
+    } else {
+        draw_figure(config, options, figure);
     }
-    figure.render_seconds = rendering.seconds();
+    figure.render_seconds = whole.seconds() - figure.load_seconds - figure.morph_seconds;
     return figure;
 }
 
@@ -166,8 +126,8 @@ render::Image figure_sheet(const FigureConfig& config, const Figure& figure) {
         cells.emplace_back();
         for (const FigureCell& cell : row.cells) cells.back().push_back(cell.image);
     }
-    for (const double alpha : config.alphas) text.columns.push_back("\u03b1 = " + fraction_text(alpha));
-    return make_sheet(cells, text, {config.picture.margin, color(config.picture.background)});
+    for (const FigureCell& cell : figure.rows.front().cells) text.columns.push_back(cell.label);
+    return make_sheet(cells, text, {config.picture.margin, config.picture.background.cast<float>().array()});
 }
 
 std::string cell_name(std::size_t row, std::size_t column) {

@@ -25,8 +25,9 @@ struct FigureOptions {
 
 struct FigureCell {
     render::Image image;  ///< linear RGB
-    double alpha = 0;
-    double seconds = 0;  ///< of rendering
+    std::string label;    ///< what stands above it
+    double alpha = 0;     ///< of a morph's frame
+    double seconds = 0;   ///< of rendering
     std::uint64_t rays = 0, bad_samples = 0;
 };
 

@@ -5,6 +5,7 @@
 
 #include "morph/morph.h"
 #include "morph/shapes/head.h"
+#include "render/figure/config.h"
 #include "render/geometry/triangle_mesh.h"
 
 /// What the values of options are called in configs, on the command line and in results.
@@ -27,6 +28,11 @@ inline constexpr std::array kOpenings{Named<Openings>{"reopen", Openings::Reopen
 inline constexpr std::array kDomains{Named<Domain>{"auto", Domain::Auto}, Named<Domain>{"disk", Domain::Disk},
                                      Named<Domain>{"sphere", Domain::Sphere},
                                      Named<Domain>{"cut", Domain::Cut}};
+inline constexpr std::array kFeatureTargets{Named<FeatureTargets>{"vertices", FeatureTargets::Vertices},
+                                            Named<FeatureTargets>{"candidates", FeatureTargets::Candidates}};
+inline constexpr std::array kShows{Named<Show>{"morph", Show::Morph}, Named<Show>{"map", Show::Map},
+                                   Named<Show>{"borders", Show::Borders},
+                                   Named<Show>{"features", Show::Features}};
 inline constexpr std::array kNormals{Named<render::Normals>{"smooth", render::Normals::Smooth},
                                      Named<render::Normals>{"flat", render::Normals::Flat}};
 

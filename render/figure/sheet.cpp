@@ -16,7 +16,8 @@ using render::Image;
 using render::TextStyle;
 using render::VerticalAlign;
 
-// Sizes in proportion to a cell's width. At 480 pixels a cell printed 4 cm wide, labels have 8 points.
+// Sizes in proportion to a cell's width, or to a quarter (at least half a cell) of the row where it has
+// fewer. At 480 pixels a cell printed 4 cm wide, labels have 8 points.
 constexpr double kLabelSize = 1.0 / 13;
 constexpr double kTitleSize = 1.0 / 10;
 constexpr double kMargin = 1.0 / 12;   // around the sheet and between text and cells
@@ -62,14 +63,22 @@ int text_width(const std::string& text, int size) {
     return render::text_size(text, style).width;
 }
 
+/// What sizes are in proportion to, pixels.
+int text_unit(const std::vector<std::vector<Image>>& cells) {
+    constexpr int kUsualColumns = 4;
+    const int columns = std::max(2, static_cast<int>(cells.front().size()));
+    return cells.front().front().width * std::min(columns, kUsualColumns) / kUsualColumns;
+}
+
 Layout lay_out(const std::vector<std::vector<Image>>& cells, const SheetText& text,
                const std::vector<std::vector<std::string>>& row_lines) {
     Layout layout{};
     layout.cell_width = cells.front().front().width;
     layout.cell_height = cells.front().front().height;
-    layout.margin = std::max(2, scaled(kMargin, layout.cell_width));
-    layout.label_size = std::max(kSmallestText, scaled(kLabelSize, layout.cell_width));
-    layout.title_size = std::max(kSmallestText, scaled(kTitleSize, layout.cell_width));
+    const int unit = text_unit(cells);
+    layout.margin = std::max(2, scaled(kMargin, unit));
+    layout.label_size = std::max(kSmallestText, scaled(kLabelSize, unit));
+    layout.title_size = std::max(kSmallestText, scaled(kTitleSize, unit));
     int label_width = 0;
     for (const auto& lines : row_lines) {
         for (const std::string& line : lines)
@@ -119,11 +128,11 @@ void draw_labels(Image& sheet, const Layout& layout, const SheetText& text,
 Image make_sheet(const std::vector<std::vector<Image>>& cells, const SheetText& text, const SheetFade& fade) {
     assert(!cells.empty() && !cells.front().empty());
     assert(text.rows.size() == cells.size() && text.columns.size() == cells.front().size());
-    const int cell_width = cells.front().front().width;
-    const int label_size = std::max(kSmallestText, scaled(kLabelSize, cell_width));
+    const int unit = text_unit(cells);
+    const int label_size = std::max(kSmallestText, scaled(kLabelSize, unit));
     std::vector<std::vector<std::string>> row_lines;
     for (const std::string& label : text.rows) {
-        row_lines.push_back(wrap(label, scaled(kLabelColumn, cell_width),
+        row_lines.push_back(wrap(label, scaled(kLabelColumn, unit),
                                  [&](const std::string& line) { return text_width(line, label_size); }));
     }
     const Layout layout = lay_out(cells, text, row_lines);

@@ -43,7 +43,7 @@ void add_maps(std::string& text, const Report& report) {
     }
     for (const FeatureReport& features : report.features) {
         text += fmt::format("features      {} candidates, {} matched, {} laid on one another\n",
-                            features.candidates_a, features.matched, features.in_place);
+                            features.candidates_source.size(), features.matches.size(), features.in_place);
     }
     for (const OverlayReport& overlay : report.overlays) {
         text += fmt::format("overlay       {} + {} vertices + {} crossings -> {} vertices, {} triangles\n",

@@ -161,7 +161,7 @@ TEST_CASE("an unknown key is refused where it stands, with the nearest known one
     check_error("source: a\ntarget: b\nrows:\n- label: x\n- lable: y\n", "5:3",
                 {"'lable' in rows[1]", "'label'"});
     check_error(kShortest + "completely_else: 1\n", "4:1",
-                {"unknown key 'completely_else'", "allowed are title, source"});
+                {"unknown key 'completely_else'", "allowed are title, show, source"});
     check_error("source: {shape: star, rotation: {axes: [1,0,0]}}\n", "1:34",
                 {"'axes' in source.rotation", "'axis'"});
 }
@@ -193,7 +193,8 @@ TEST_CASE("a value of the wrong type is refused where it stands") {
     check_error("source: a\ntarget: b\nrows: [{label: x, lift: yes}]\n", "3:25",
                 {"found 'yes', expected true or false"});
     check_error("source: [a]\ntarget: b\nrows: [{label: x}]\n", "1:9", {"source: found a list of 1"});
-    check_error("- a\n- b\n", "1:1", {"the config: found a list of 2, expected a mapping of title, source"});
+    check_error("- a\n- b\n", "1:1",
+                {"the config: found a list of 2, expected a mapping of title, show, source"});
 }
 
 TEST_CASE("a value outside its range or choice is refused with what is allowed") {
@@ -234,6 +235,31 @@ TEST_CASE("keys that contradict each other are refused") {
                 {"picture.up: found a vector parallel to 'view'"});
     check_error(kShortest + "picture: {up: [0, -4, 1]}\n", "4:11",
                 {"picture.up: found a vector parallel to 'view'"});
+}
+
+TEST_CASE("what a figure shows decides which keys it needs") {
+    CHECK(parse("show: map\nsource: a\n").show == Show::Map);
+    CHECK(parse("show: borders\nsource: a\ntarget: b\n").show == Show::Borders);
+    check_error("show: map\nsource: a\ntarget: b\n", "3:1", {"'target' has no meaning beside 'show: map'"});
+    check_error("show: borders\nsource: a\ntarget: b\nrows: [{label: x}]\n", "4:1",
+                {"'rows' has no meaning beside 'show: borders'"});
+    check_error("show: features\nsource: a\nrows: [{label: x}]\n", "1:1", {"'target' is missing"});
+    check_error("show: features\nsource: a\ntarget: b\n", "1:1", {"'rows' is missing"});
+}
+
+TEST_CASE("a row sets the constants of its curvature features") {
+    const FigureConfig config = parse(
+        "source: a\ntarget: b\nrows: [{label: x, alignment: features, features: {scales: [0], targets: "
+        "vertices, radius: 0.2, reach: 0.4, rematches: 0}}]\n");
+    const AlignOptions options = config.rows[0].morph_options(1).features;
+    CHECK(options.matching.scales == std::vector<double>{0.0});
+    CHECK(options.matching.targets == FeatureTargets::Vertices);
+    CHECK(options.matching.radius == 0.2);
+    CHECK(options.matching.largest_difference == FeatureOptions{}.largest_difference);
+    CHECK(options.warping.reach == 0.4);
+    CHECK(options.rematches == 0);
+    check_error("source: a\ntarget: b\nrows: [{label: x, features: {largest_gaussian: 5}}]\n", "3:48",
+                {"rows[0].features.largest_gaussian: found '5'"});
 }
 
 TEST_CASE("a missing or repeated key is refused") {

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "morph/maps.h"
+#include "morph/morph.h"
+#include "render/camera/camera.h"
+#include "render/figure/subject.h"
+#include "render/image/canvas.h"
+#include "render/image/text.h"
+
+/// Drawn cells, each a function of what it shows.
+namespace automorph {
+
+/// Fig. 2: the shape as a picture with its visible edges, and its map as a triangulation shaded alike.
+std::vector<FigureCell> map_panels(const Shooting& shooting, const InputMesh& shape, const ShapeMap& map);
+
+/// Fig. 3: the two borders on the circle, own vertices filled and inserted ones hollow, and a part of both
+/// enlarged with labels.
+std::vector<FigureCell> border_panels(const Shooting& shooting, const BorderInsertion& insertion);
+
+/// Fig. 4: both shapes with their candidates; matched ones numbered, in the same colour on both.
+std::vector<FigureCell> feature_panels(const Shooting& shooting, const InputMesh& source,
+                                       const InputMesh& target, const std::vector<FeatureReport>& features);
+
+namespace drawing {
+
+inline const render::Color kInk{0.01f, 0.01f, 0.015f};
+inline const render::Color kPaper{1.0f, 1.0f, 1.0f};
+inline const render::Color kFaint{0.45f, 0.45f, 0.45f};
+
+/// Distinct colours in a fixed order, again from the first after the last.
+render::Color distinct_color(std::size_t index);
+
+/// A label, drawn over what is there. @param size  font height in pixels
+void label(render::Image& image, const Eigen::Vector2d& at, const std::string& text, int size,
+           const render::Color& color = kInk);
+
+/// Sizes that suit a cell: `share` of its smaller side, at least `least`.
+double scaled(const Shooting& shooting, double share, double least);
+
+}  // namespace drawing
+}  // namespace automorph
