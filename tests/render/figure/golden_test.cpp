@@ -33,27 +33,44 @@ int outliers(const Image& map) {
 
 }  // namespace
 
-TEST_CASE("figure 7 is pictured as its golden images") {
-    const automorph::Figure figure = automorph::render_figure(golden::config(), golden::options());
+namespace {
+
+void check_cell(const std::string& name, std::size_t row, std::size_t column, const Image& found) {
+    const std::filesystem::path file = golden::file(name, row, column);
+    INFO(file);
+    const Image expected = automorph::render::read_image(file).image;
+    REQUIRE(found.width == expected.width);
+    REQUIRE(found.height == expected.height);
+    const automorph::render::Difference difference = automorph::render::compare(expected, found);
+    const Image map = difference_map(expected, found);
+    const bool same = difference.rmse <= kLargestRmse && outliers(map) <= kMostOutliers;
+    if (!same) {  // kept for looking at
+        const std::filesystem::path kept = std::filesystem::path(AUTOMORPH_GOLDEN_FAILURES) / name;
+        automorph::make_folder(kept);
+        automorph::render::write_exr(kept / file.filename(), found);
+        automorph::render::write_exr(kept / (automorph::cell_name(row, column) + "-difference.exr"), map);
+        WARN("kept in " << kept);
+    }
+    CHECK(difference.rmse <= kLargestRmse);
+    CHECK(outliers(map) <= kMostOutliers);
+}
+
+void check_figure(const std::string& name) {
+    const automorph::Figure figure = automorph::render_figure(golden::config(name), golden::options());
     for (std::size_t i = 0; i < figure.rows.size(); ++i) {
-        for (std::size_t j = 0; j < figure.rows[i].cells.size(); ++j) {
-            INFO(golden::file(i, j));
-            const Image expected = automorph::render::read_image(golden::file(i, j)).image;
-            const Image& found = figure.rows[i].cells[j].image;
-            REQUIRE(found.width == expected.width);
-            REQUIRE(found.height == expected.height);
-            const automorph::render::Difference difference = automorph::render::compare(expected, found);
-            const Image map = difference_map(expected, found);
-            const bool same = difference.rmse <= kLargestRmse && outliers(map) <= kMostOutliers;
-            if (!same) {  // kept for looking at
-                const std::filesystem::path kept = AUTOMORPH_GOLDEN_FAILURES;
-                automorph::make_folder(kept);
-                automorph::render::write_exr(kept / (automorph::cell_name(i, j) + ".exr"), found);
-                automorph::render::write_exr(kept / (automorph::cell_name(i, j) + "-difference.exr"), map);
-                WARN("kept in " << kept);
-            }
-            CHECK(difference.rmse <= kLargestRmse);
-            CHECK(outliers(map) <= kMostOutliers);
-        }
+        for (std::size_t j = 0; j < figure.rows[i].cells.size(); ++j)
+            check_cell(name, i, j, figure.rows[i].cells[j].image);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("figure 7 is pictured as its golden images") {
+    check_figure("fig7");
+}
+
+TEST_CASE("the other figures are pictured as their golden images", "[sweep]") {
+    for (const std::string& name : golden::names()) {
+        if (name != "fig7") check_figure(name);
     }
 }

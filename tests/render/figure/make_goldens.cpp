@@ -7,16 +7,24 @@
 #include "render/image/image_file.h"
 #include "tests/render/figure/golden.h"
 
+namespace {
+
+void make(const std::string& name) {
+    const automorph::Figure figure = automorph::render_figure(golden::config(name), golden::options());
+    automorph::make_folder(golden::file(name, 0, 0).parent_path());
+    for (std::size_t i = 0; i < figure.rows.size(); ++i) {
+        for (std::size_t j = 0; j < figure.rows[i].cells.size(); ++j) {
+            automorph::render::write_exr(golden::file(name, i, j), figure.rows[i].cells[j].image);
+            std::printf("%s\n", golden::file(name, i, j).c_str());
+        }
+    }
+}
+
+}  // namespace
+
 int main() {
     try {
-        const automorph::Figure figure = automorph::render_figure(golden::config(), golden::options());
-        automorph::make_folder(golden::file(0, 0).parent_path());
-        for (std::size_t i = 0; i < figure.rows.size(); ++i) {
-            for (std::size_t j = 0; j < figure.rows[i].cells.size(); ++j) {
-                automorph::render::write_exr(golden::file(i, j), figure.rows[i].cells[j].image);
-                std::printf("%s\n", golden::file(i, j).c_str());
-            }
-        }
+        for (const std::string& name : golden::names()) make(name);
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "make_goldens: %s\n", error.what());
