@@ -1,5 +1,8 @@
 #include "morph/merge_maps.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
+
 #include "morph/mesh/geometry.h"
 #include "morph/overlay/lift.h"
 #include "morph/overlay/snap.h"
@@ -15,6 +18,30 @@ std::vector<Site> composed(const std::vector<Site>& merged, const std::vector<Si
     result.reserve(merged.size());
     for (const Site& site : merged) result.push_back(compose(site, on_shape));
     return result;
+}
+
+/// A triangle of less height than this is flat, and faces nowhere; in bounding box diagonals.
+constexpr double kRounding = 1e-10;
+
+/// Merged triangles that face against the triangle they lie in.
+/// @param points  #merged x 3 places of merged vertices on the part's shape
+/// @param parent  per merged triangle: the part's triangle
+int turned_triangles(const Triangles& F, const Points& points, const Mesh& part,
+                     const std::vector<int>& parent) {
+    const double flat = kRounding * bounding_box_diagonal(part.V);
+    const auto normal = [](const Points& V, const auto& corners) -> Eigen::Vector3d {
+        const Eigen::Vector3d p = V.row(corners[0]), q = V.row(corners[1]), r = V.row(corners[2]);
+        return (q - p).cross(r - p);
+    };
+    int turned = 0;
+    for (Eigen::Index f = 0; f < F.rows(); ++f) {
+        const Eigen::Vector3d p = points.row(F(f, 0)), q = points.row(F(f, 1)), r = points.row(F(f, 2));
+        const double longest = std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
+        const Eigen::Vector3d facing =
+            normal(part.V, part.F.row(parent[static_cast<std::size_t>(f)])).stableNormalized();
+        turned += normal(points, F.row(f)).dot(facing) < -flat * longest;
+    }
+    return turned;
 }
 
 int zero_area_triangles(const Points& V, const Triangles& F) {
@@ -84,10 +111,12 @@ MergedPair merge_maps(const Shape& shape_a, const MappedPart& a, const Shape& sh
 
     const std::vector<char> filling_a = filling_triangles(shape_a, a),
                             filling_b = filling_triangles(shape_b, b);
+    std::vector<int> parent_a, parent_b;  // per merged triangle: those that contain it
     for (const int face : triangles.face) {
-        const auto fa = static_cast<std::size_t>(merged.face_of_a[static_cast<std::size_t>(face)]);
-        const auto fb = static_cast<std::size_t>(merged.face_of_b[static_cast<std::size_t>(face)]);
-        result.in_filling.push_back(filling_a[fa] || filling_b[fb]);
+        parent_a.push_back(merged.face_of_a[static_cast<std::size_t>(face)]);
+        parent_b.push_back(merged.face_of_b[static_cast<std::size_t>(face)]);
+        result.in_filling.push_back(filling_a[static_cast<std::size_t>(parent_a.back())] ||
+                                    filling_b[static_cast<std::size_t>(parent_b.back())]);
     }
     report.overlays.push_back({.vertices_a = a.mesh.vertex_count(),
                                .vertices_b = b.mesh.vertex_count(),
@@ -98,7 +127,9 @@ MergedPair merge_maps(const Shape& shape_a, const MappedPart& a, const Shape& sh
                                .vertices = merged.vertex_count(),
                                .triangles = static_cast<int>(result.F.rows()),
                                .zero_area_a = zero_area_triangles(points_a, result.F),
-                               .zero_area_b = zero_area_triangles(points_b, result.F)});
+                               .zero_area_b = zero_area_triangles(points_b, result.F),
+                               .turned_a = turned_triangles(result.F, points_a, a.mesh, parent_a),
+                               .turned_b = turned_triangles(result.F, points_b, b.mesh, parent_b)});
     return result;
 }
 

@@ -60,6 +60,8 @@ struct OverlayReport {
     int on_edges = 0;
     int vertices = 0, triangles = 0;
     int zero_area_a = 0, zero_area_b = 0;  ///< merged triangles without area in 3D on either shape
+    int turned_a = 0, turned_b = 0;  ///< those that face against the triangle of the shape they lie in, by
+                                     ///< more than rounding
 };
 
 struct StageReport {
