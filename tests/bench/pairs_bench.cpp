@@ -120,6 +120,12 @@ struct Pair {
     bool large() const { return std::max(source.triangles, target.triangles) > kLargeSide; }
 };
 
+/// Does the pair's name, in either order, contain the text?
+bool is_named(const Pair& pair, const std::string& text) {
+    const std::string back = pair.target.name() + " + " + pair.source.name();
+    return pair.name().find(text) != std::string::npos || back.find(text) != std::string::npos;
+}
+
 /// All pairs, or a sample with equal shares of closed, open and mixed ones.
 std::vector<Pair> pairs(const std::vector<Candidate>& meshes, const Arguments& arguments) {
     std::array<std::vector<Pair>, 3> kinds;
@@ -128,7 +134,7 @@ std::vector<Pair> pairs(const std::vector<Candidate>& meshes, const Arguments& a
         for (std::size_t j = i + 1; j < meshes.size(); ++j) {
             const bool back = random() % 2 == 0;
             Pair pair{meshes[back ? j : i], meshes[back ? i : j], random()};
-            if (pair.name().find(arguments.only) == std::string::npos) continue;
+            if (!is_named(pair, arguments.only)) continue;
             kinds[static_cast<std::size_t>(pair.source.closed) + pair.target.closed].push_back(pair);
         }
     }
