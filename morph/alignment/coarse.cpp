@@ -18,7 +18,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::RowVector3d;
 
-constexpr double kStiff = 1e-3;  // share of a plain shift in the affine motions: flat fans have no other answer
+constexpr double kStiff =
+    1e-3;  // share of a plain shift in the affine motions: flat fans have no other answer
 
 /// The affine part A_k of the motion about each vertex: the least squares fit to its edges and, with the size
 /// of its edges, its normal.

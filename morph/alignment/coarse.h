@@ -19,8 +19,8 @@ struct CoarseMesh {
 CoarseMesh coarse_mesh(const Mesh& mesh, const std::vector<std::vector<int>>& loops, int vertices);
 
 /// Carries a motion of the coarse mesh over to points near it. Each goes with the closest point of the coarse
-/// mesh at rest, moved as the neighbourhoods of its corners are: blended affine motions fitted to the corners'
-/// edges and normals, so that what lies beside the coarse surface keeps its place beside it.
+/// mesh at rest, moved as the neighbourhoods of its corners are: blended affine motions fitted to the
+/// corners' edges and normals, so that what lies beside the coarse surface keeps its place beside it.
 /// @param rest     the coarse mesh before the motion
 /// @param moved    #rest x 3, after it
 /// @param points   #n x 3, before the motion, with normals (unit or zero)

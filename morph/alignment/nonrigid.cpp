@@ -101,7 +101,8 @@ bool lies_on(const Mesh& source, const Mesh& target) {
 /// The alignment in units of the target's diagonal, whatever the sizes of the meshes.
 NonRigidAlignment fitted(Mesh from, const std::vector<std::vector<int>>& source_loops, const Mesh& to,
                          const std::vector<std::vector<int>>& target_loops, const NonRigidOptions& options) {
-    const SoftMatching matching(oriented_points(to));
+    const bool part = !source_loops.empty() && target_loops.empty();
+    const SoftMatching matching(oriented_points(to), part ? Coverage::Part : Coverage::Whole);
     const auto match = [&](const AlignmentLevel& level) {
         const double normal = options.normals ? level.normal : kNoNormals;
         SoftMatches matches = matching.match(oriented_points(from), {level.position, normal});
