@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+
 #include "morph/alignment/places.h"
 #include "morph/overlay/lift.h"
 #include "morph/parameterization/guided_map.h"
@@ -30,6 +32,27 @@ Points places_in(const Guide& guide, const MappedPart& a, const Shape& shape_b, 
     return places;
 }
 
+/// Centres of fillings without a known place go to the middle of where their rims go, on the filling's side:
+/// the filling of a border may well be the larger part of the sphere.
+void centre_fillings(const Guide& guide, const Shape& shape, const MappedPart& part, Points& places) {
+    Points middle = Points::Zero(shape.mesh.vertex_count() - shape.own_vertices, 3);
+    for (int f = 0; f < part.mesh.triangle_count(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            const int c = part.mesh.F(f, k);
+            if (c < shape.own_vertices || c >= shape.mesh.vertex_count()) continue;
+            const Eigen::Vector3d u = places.row(part.mesh.F(f, (k + 1) % 3)),
+                                  w = places.row(part.mesh.F(f, (k + 2) % 3));
+            middle.row(c - shape.own_vertices) += u.cross(w).transpose();
+        }
+    }
+    for (const auto& [vertex, place] : guide.pinned) {
+        if (vertex >= shape.own_vertices) middle.row(vertex - shape.own_vertices).setZero();
+    }
+    for (Eigen::Index k = 0; k < middle.rows(); ++k) {
+        if (!middle.row(k).isZero(0.0)) places.row(shape.own_vertices + k) = middle.row(k).stableNormalized();
+    }
+}
+
 }  // namespace
 
 bool follow_on_disk(const Guide& guide, MappedPart& a, const Shape& shape_b, const MappedPart& b,
@@ -52,10 +75,11 @@ bool follow_on_disk(const Guide& guide, MappedPart& a, const Shape& shape_b, con
     return true;
 }
 
-void follow_on_sphere(const Guide& guide, MappedPart& a, const Shape& shape_b, const MappedPart& b,
-                      Report& report) {
+void follow_on_sphere(const Guide& guide, const Shape& shape_a, MappedPart& a, const Shape& shape_b,
+                      const MappedPart& b, Report& report) {
     const StageClock clock(report, "guided map");
-    const Points places = places_in(guide, a, shape_b, b).rowwise().normalized();
+    Points places = places_in(guide, a, shape_b, b).rowwise().normalized();
+    centre_fillings(guide, shape_a, a, places);
     report.alignment.flipped_before = flipped_triangles(a.mesh.F, places);
     MovableMap map(a.mesh, a.loop, a.rays);
     const int late = map.follow(places);
@@ -64,7 +88,7 @@ void follow_on_sphere(const Guide& guide, MappedPart& a, const Shape& shape_b, c
     report.alignment.used = true;
     if (late > kManyLate * a.mesh.vertex_count()) {
         report.notes.push_back(fmt::format(
-            "{} of {} vertices of the source follow the dense alignment only as far as the map stays "
+            "{} of {} vertices of the moved shape follow the dense alignment only as far as the map stays "
             "one-to-one: the shapes, or their registration, differ much",
             late, a.mesh.vertex_count()));
     }

@@ -15,7 +15,7 @@ bool follow_on_disk(const Guide& guide, MappedPart& a, const Shape& shape_b, con
 /// The same on the sphere, where such a repair need not end well: starting from a's own map, vertices go to
 /// their places as far as no triangle turns over (MovableMap), so that the result is always one-to-one.
 /// @param a  mapped and aligned with b; the nearer it is to the places, the more of them are reached
-void follow_on_sphere(const Guide& guide, MappedPart& a, const Shape& shape_b, const MappedPart& b,
-                      Report& report);
+void follow_on_sphere(const Guide& guide, const Shape& shape_a, MappedPart& a, const Shape& shape_b,
+                      const MappedPart& b, Report& report);
 
 }  // namespace automorph

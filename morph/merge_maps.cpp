@@ -1,5 +1,8 @@
 #include "morph/merge_maps.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
+
 #include "morph/mesh/geometry.h"
 #include "morph/overlay/lift.h"
 #include "morph/overlay/snap.h"
@@ -17,16 +20,60 @@ std::vector<Site> composed(const std::vector<Site>& merged, const std::vector<Si
     return result;
 }
 
+/// A triangle of less height than this is flat, and faces nowhere; in bounding box diagonals.
+constexpr double kRounding = 1e-10;
+
+/// Merged triangles that face against the triangle they lie in: indices.
+/// @param points  #merged x 3 places of merged vertices on the part's shape
+/// @param parent  per merged triangle: the part's triangle
+std::vector<Eigen::Index> turned_triangles(const Triangles& F, const Points& points, const Mesh& part,
+                                           const std::vector<int>& parent) {
+    const double flat = kRounding * bounding_box_diagonal(part.V);
+    const auto normal = [](const Points& V, const auto& corners) -> Eigen::Vector3d {
+        const Eigen::Vector3d p = V.row(corners[0]), q = V.row(corners[1]), r = V.row(corners[2]);
+        return (q - p).cross(r - p);
+    };
+    std::vector<Eigen::Index> turned;
+    for (Eigen::Index f = 0; f < F.rows(); ++f) {
+        const Eigen::Vector3d p = points.row(F(f, 0)), q = points.row(F(f, 1)), r = points.row(F(f, 2));
+        const double longest = std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
+        const Eigen::Vector3d facing =
+            normal(part.V, part.F.row(parent[static_cast<std::size_t>(f)])).stableNormalized();
+        if (normal(points, F.row(f)).dot(facing) < -flat * longest) turned.push_back(f);
+    }
+    return turned;
+}
+
 int zero_area_triangles(const Points& V, const Triangles& F) {
     const Eigen::VectorXd areas = triangle_areas({V, F});
     return static_cast<int>((areas.array() <= 0.0).count());
 }
 
-}  // namespace
-
 Points place_on(const Shape& shape, const std::vector<Site>& sites, bool curved) {
     return curved ? lift(shape.mesh.V, shape.normals, sites) : place(shape.mesh.V, sites);
 }
+
+/// Puts the corners of turned triangles back on their facets, until none is turned or there is nothing left
+/// to put back. Returns the number of merged vertices put back.
+int flatten_turned(const Triangles& F, const Points& flat, const Mesh& part, const std::vector<int>& parent,
+                   Points& points) {
+    int flattened = 0;
+    for (bool again = true; again;) {
+        again = false;
+        for (const Eigen::Index f : turned_triangles(F, points, part, parent)) {
+            for (int k = 0; k < 3; ++k) {
+                const int v = F(f, k);
+                if (points.row(v) == flat.row(v)) continue;
+                points.row(v) = flat.row(v);
+                ++flattened;
+                again = true;
+            }
+        }
+    }
+    return flattened;
+}
+
+}  // namespace
 
 std::vector<char> filling_triangles(const Shape& shape, const MappedPart& part) {
     std::vector<char> filling(static_cast<std::size_t>(part.mesh.triangle_count()), 0);
@@ -65,20 +112,29 @@ MergedPair merge_maps(const Shape& shape_a, const MappedPart& a, const Shape& sh
     MergedPair result;
     result.on_a = composed(merged.on_a, a.sites);
     result.on_b = composed(merged.on_b, b.sites);
-    const Points points_a = place_on(shape_a, result.on_a, curved),
-                 points_b = place_on(shape_b, result.on_b, curved);
-    MergedTriangles triangles = triangulate(merged, a.mesh, points_a, b.mesh, points_b);
+    result.points_a = place_on(shape_a, result.on_a, curved);
+    result.points_b = place_on(shape_b, result.on_b, curved);
+    MergedTriangles triangles = triangulate(merged, a.mesh, result.points_a, b.mesh, result.points_b);
     result.F = std::move(triangles.F);
     for (const int vertex : a.loop)
         result.border.push_back(merged.vertex_of_a[static_cast<std::size_t>(vertex)]);
 
     const std::vector<char> filling_a = filling_triangles(shape_a, a),
                             filling_b = filling_triangles(shape_b, b);
+    std::vector<int> parent_a, parent_b;  // per merged triangle: those that contain it
     for (const int face : triangles.face) {
-        const auto fa = static_cast<std::size_t>(merged.face_of_a[static_cast<std::size_t>(face)]);
-        const auto fb = static_cast<std::size_t>(merged.face_of_b[static_cast<std::size_t>(face)]);
-        result.in_filling.push_back(filling_a[fa] || filling_b[fb]);
+        parent_a.push_back(merged.face_of_a[static_cast<std::size_t>(face)]);
+        parent_b.push_back(merged.face_of_b[static_cast<std::size_t>(face)]);
+        result.in_filling.push_back(filling_a[static_cast<std::size_t>(parent_a.back())] ||
+                                    filling_b[static_cast<std::size_t>(parent_b.back())]);
     }
+    const int flattened_a =
+        flatten_turned(result.F, place(shape_a.mesh.V, result.on_a), a.mesh, parent_a, result.points_a);
+    const int flattened_b =
+        flatten_turned(result.F, place(shape_b.mesh.V, result.on_b), b.mesh, parent_b, result.points_b);
+    const auto turned = [&](const Points& points, const Mesh& part, const std::vector<int>& parent) {
+        return static_cast<int>(turned_triangles(result.F, points, part, parent).size());
+    };
     report.overlays.push_back({.vertices_a = a.mesh.vertex_count(),
                                .vertices_b = b.mesh.vertex_count(),
                                .crossings = merged.crossings,
@@ -87,8 +143,12 @@ MergedPair merge_maps(const Shape& shape_a, const MappedPart& a, const Shape& sh
                                .on_edges = merged.on_edges,
                                .vertices = merged.vertex_count(),
                                .triangles = static_cast<int>(result.F.rows()),
-                               .zero_area_a = zero_area_triangles(points_a, result.F),
-                               .zero_area_b = zero_area_triangles(points_b, result.F)});
+                               .zero_area_a = zero_area_triangles(result.points_a, result.F),
+                               .zero_area_b = zero_area_triangles(result.points_b, result.F),
+                               .turned_a = turned(result.points_a, a.mesh, parent_a),
+                               .turned_b = turned(result.points_b, b.mesh, parent_b),
+                               .flattened_a = flattened_a,
+                               .flattened_b = flattened_b});
     return result;
 }
 

@@ -10,6 +10,7 @@ namespace automorph {
 struct SphereOptions {
     const Registration* registration = nullptr;  ///< brings the maps together; none: they stay as they are
     const Guide* guide = nullptr;                ///< where the vertices of a belong on b; comes after that
+    bool moves_b = false;                        ///< the guide is b's: where its vertices belong on a
     bool curved = true;                          ///< placement of merged vertices
     std::uint64_t seed = 1;
 };

@@ -111,7 +111,8 @@ private:
         const Disk a = whole(source_shape_, pair.source.loops[0]),
                    b = whole(target_shape_, pair.target.loops[0]);
         align_shapes({source_.mesh, pair.source.loops, pair.source.centres},
-                     {pair.target_mesh, pair.target.loops, pair.target.centres}, &pair.border);
+                     {pair.target_mesh, pair.target.loops, pair.target.centres},
+                     registration_.apply(source_.mesh.V), &pair.border);
         report_.border = report_of(pair.border);
         BorderedDisks disks = border_disks(a, b, pair.border);
         if (onto_disk(disks)) {
@@ -143,10 +144,12 @@ private:
     }
 
     /// The dense alignment, if asked for; it places the source's border, if there is one, on the target's.
-    void align_shapes(const AlignedShape& source, const AlignedShape& target, BorderUnion* border) {
+    /// @param start  the source's vertices in the target's frame
+    void align_shapes(const AlignedShape& source, const AlignedShape& target, const Points& start,
+                      BorderUnion* border) {
         if (options_.alignment != Alignment::Dense) return;
         const StageClock clock(report_, "alignment");
-        guide_ = align(source, registration_.apply(source.mesh.V), target, options_.nonrigid);
+        guide_ = align(source, start, target, options_.nonrigid);
         report_.alignment.distance = guide_->distance;
         if (!border) return;
         auto aligned = aligned_border(guide_->x(source.loops[0], Eigen::all),
@@ -193,6 +196,7 @@ private:
     SphereOptions sphere_options() const {
         return {.registration = registers() ? &registration_ : nullptr,
                 .guide = guide_ ? &*guide_ : nullptr,
+                .moves_b = source_.report.closed && !target_.report.closed,
                 .curved = options_.lift,
                 .seed = options_.seed};
     }
@@ -200,24 +204,30 @@ private:
     /// Closed shapes; an open one beside a closed one is capped.
     void merge_on_sphere() {
         report_.domain = "sphere";
-        source_shape_ = source_.report.closed ? closed_shape(source_.mesh) : capped_shape(source_);
-        target_shape_ = target_.report.closed ? closed_shape(target_.mesh) : capped_shape(target_);
-        align_closed();
+        WholeShape source = whole_shape(source_), target = whole_shape(target_);
+        // An open shape has its place on a closed one, but not the other way round.
+        const AlignedShape a{source.mesh, source.filled.loops, source.filled.centres},
+            b{target.mesh, target.filled.loops, target.filled.centres};
+        if (source_.report.closed && !target_.report.closed) {
+            align_shapes(b, a, registration_.inverse(target.mesh.V), nullptr);
+        } else {
+            align_shapes(a, b, registration_.apply(source.mesh.V), nullptr);
+        }
+        source_shape_ = std::move(source.filled.shape);
+        target_shape_ = std::move(target.filled.shape);
         tell_of_unused_features();
         merged_ = merge_spheres(source_shape_, target_shape_, sphere_options(), report_);
         open_fillings();
     }
 
-    /// Both as wholes without borders. A capped one is left to the warp of the spheres.
-    void align_closed() {
-        if (!source_.report.closed || !target_.report.closed) return;
-        const std::vector<std::vector<int>> no_loops;
-        const std::vector<int> no_centres;
-        align_shapes({source_.mesh, no_loops, no_centres}, {target_.mesh, no_loops, no_centres}, nullptr);
-    }
+    /// A shape without a border: closed, or all its openings filled.
+    struct WholeShape {
+        Mesh mesh;  ///< openings open, facing outwards
+        FilledShape filled;
+    };
 
-    /// All openings filled, the border too, and facing outwards.
-    Shape capped_shape(const InputMesh& input) {
+    WholeShape whole_shape(const InputMesh& input) {
+        if (input.report.closed) return {input.mesh, filled_shape(input.mesh, {})};
         report_.notes.push_back(fmt::format(
             "{} is open and the other shape is closed: it was capped for the map", input.report.name));
         Mesh mesh = input.mesh;
@@ -226,14 +236,14 @@ private:
             report_.notes.push_back(
                 fmt::format("{} faced inwards: its triangles were turned", input.report.name));
         }
-        return filled_shape(mesh, boundary_loops(mesh)).shape;
+        return {mesh, filled_shape(mesh, boundary_loops(mesh))};
     }
 
     /// Sec. 6: a plane cuts both shapes into halves that share the cut as border.
     void merge_cut() {
         report_.domain = "cut into two disks";
-        source_shape_ = closed_shape(source_.mesh);
-        target_shape_ = closed_shape(target_.mesh);
+        source_shape_ = filled_shape(source_.mesh, {}).shape;
+        target_shape_ = filled_shape(target_.mesh, {}).shape;
         CutMesh source_cut, target_cut;
         BorderControl control;
         {
@@ -269,8 +279,6 @@ private:
 
     static Points loop_points(const Disk& disk) { return disk.mesh.V(disk.loop, Eigen::all); }
 
-    static Shape closed_shape(const Mesh& mesh) { return {mesh, vertex_normals(mesh), mesh.vertex_count()}; }
-
     static Disk whole(const Shape& shape, const std::vector<int>& loop) {
         Disk disk{shape.mesh, loop, {}};
         for (int v = 0; v < shape.mesh.vertex_count(); ++v) disk.sites.push_back(vertex_site(v));
@@ -299,12 +307,19 @@ private:
         for (std::size_t k = 0; k < n; ++k) {
             vertex[static_cast<std::size_t>(second.border[(n - k) % n])] = first.border[k];
         }
+        std::vector<int> own;  // vertices of the second that are not on the border
         for (std::size_t v = 0; v < vertex.size(); ++v) {
             if (vertex[v] >= 0) continue;
             vertex[v] = static_cast<int>(all.on_a.size());
             all.on_a.push_back(second.on_a[v]);
             all.on_b.push_back(second.on_b[v]);
+            own.push_back(static_cast<int>(v));
         }
+        all.points_a.conservativeResize(static_cast<Eigen::Index>(all.on_a.size()), 3);
+        all.points_b.conservativeResize(static_cast<Eigen::Index>(all.on_b.size()), 3);
+        const auto added = static_cast<Eigen::Index>(own.size());
+        all.points_a.bottomRows(added) = second.points_a(own, Eigen::all);
+        all.points_b.bottomRows(added) = second.points_b(own, Eigen::all);
         all.F.conservativeResize(first.F.rows() + second.F.rows(), 3);
         for (Eigen::Index f = 0; f < second.F.rows(); ++f) {
             for (int k = 0; k < 3; ++k)
@@ -333,8 +348,8 @@ private:
     void place_ends() {
         const StageClock clock(report_, "placement");
         triangles = merged_.F;
-        ends.a = place_on(source_shape_, merged_.on_a, options_.lift);
-        ends.b = place_on(target_shape_, merged_.on_b, options_.lift);
+        ends.a = merged_.points_a;
+        ends.b = merged_.points_b;
         ends.R = registration_.R;
         ends.centre_a = centre_of_mass(source_.mesh);
         ends.centre_b = centre_of_mass(target_.mesh);

@@ -1,7 +1,7 @@
 #include "morph/open_pair.h"
 
 #include "morph/mesh/connectivity.h"
-#include "morph/mesh/geometry.h"
+#include "morph/overlay/lift.h"
 #include "morph/parameterization/border_control.h"
 #include "morph/parameterization/fill.h"
 
@@ -12,13 +12,14 @@ namespace {
 FilledShape border_left_open(const Mesh& mesh, std::vector<std::vector<int>> loops) {
     FilledShape filled = filled_shape(mesh, {loops.begin() + 1, loops.end()});
     filled.loops = std::move(loops);
+    filled.centres.insert(filled.centres.begin(), -1);
     return filled;
 }
 
 }  // namespace
 
 FilledShape filled_shape(const Mesh& mesh, const std::vector<std::vector<int>>& openings) {
-    FilledShape result{{mesh, vertex_normals(mesh), mesh.vertex_count()}, openings, {}};
+    FilledShape result{{mesh, smooth_normals(mesh), mesh.vertex_count()}, openings, {}};
     if (openings.empty()) return result;
     FilledMesh filled = fill_openings(mesh, openings);
     result.shape.mesh = std::move(filled.mesh);

@@ -12,7 +12,7 @@ namespace automorph {
 struct FilledShape {
     Shape shape;
     std::vector<std::vector<int>> loops;  ///< of the mesh as it was; longest first
-    std::vector<int> centres;             ///< centre of each filling
+    std::vector<int> centres;             ///< per loop: the centre of its filling; -1: it stays open
 };
 
 /// Fills these openings.

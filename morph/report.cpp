@@ -73,7 +73,9 @@ Json json(const OverlayReport& overlay) {
             {"crossings", overlay.crossings},     {"coincident", overlay.coincident},
             {"snapped", overlay.snapped},         {"on_edges", overlay.on_edges},
             {"vertices", overlay.vertices},       {"triangles", overlay.triangles},
-            {"zero_area_a", overlay.zero_area_a}, {"zero_area_b", overlay.zero_area_b}};
+            {"zero_area_a", overlay.zero_area_a}, {"zero_area_b", overlay.zero_area_b},
+            {"turned_a", overlay.turned_a},       {"turned_b", overlay.turned_b},
+            {"flattened_a", overlay.flattened_a}, {"flattened_b", overlay.flattened_b}};
 }
 
 Json json(const SphereAlignmentReport& alignment) {

@@ -25,11 +25,11 @@ struct RegistrationReport {
     bool converged = false, confident = false;
 };
 
-/// What the dense alignment did.
+/// What the dense alignment did. Of an open and a closed shape it moves the open one, else the source.
 struct AlignmentReport {
     bool used = false;
     double distance = 0.0;   ///< between matched points at its end, root mean square, in target box diagonals
-    int flipped_before = 0;  ///< triangles of the source that their places on the target turn over
+    int flipped_before = 0;  ///< triangles of the moved shape that their places on the other turn over
     int moved = 0;           ///< vertices moved off their places to make the map one-to-one
     int rounds = 0;          ///< of that repair
 };
@@ -72,6 +72,9 @@ struct OverlayReport {
     int on_edges = 0;
     int vertices = 0, triangles = 0;
     int zero_area_a = 0, zero_area_b = 0;  ///< merged triangles without area in 3D on either shape
+    int turned_a = 0, turned_b = 0;  ///< those that face against the triangle of the shape they lie in, by
+                                     ///< more than rounding
+    int flattened_a = 0, flattened_b = 0;  ///< merged vertices left on flat facets to keep those from turning
 };
 
 struct StageReport {

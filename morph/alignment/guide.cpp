@@ -1,5 +1,6 @@
 #include "morph/alignment/guide.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "morph/alignment/border_places.h"
@@ -25,8 +26,8 @@ void pin_openings(const AlignedShape& source, const AlignedShape& target, Guide&
             guide.pinned.emplace_back(
                 rim[k], place_on_loop(partner, partner_angles, (*angles)[static_cast<Eigen::Index>(k)]));
         }
-        const int centre = target.centres[static_cast<std::size_t>(pair.target) - 1];
-        guide.pinned.emplace_back(source.centres[static_cast<std::size_t>(pair.source) - 1],
+        const int centre = target.centres[static_cast<std::size_t>(pair.target)];
+        guide.pinned.emplace_back(source.centres[static_cast<std::size_t>(pair.source)],
                                   SurfacePlace{{centre, centre, centre}, {1.0, 0.0, 0.0}});
     }
 }
@@ -37,15 +38,19 @@ Guide align(const AlignedShape& source, const Points& start, const AlignedShape&
             const NonRigidOptions& options) {
     const NonRigidAlignment alignment =
         align_nonrigid(source.mesh, source.loops, start, target.mesh, target.loops, options);
-    const auto own = alignment.x.rows(), all = own + static_cast<Eigen::Index>(source.centres.size());
+    const auto own = alignment.x.rows(),
+               all = own + std::count_if(source.centres.begin(), source.centres.end(),
+                                         [](int centre) { return centre >= 0; });
     Guide guide;
     guide.distance = alignment.distance;
     guide.x = alignment.x;
     guide.x.conservativeResize(all, 3);
     guide.normals = Points::Zero(all, 3);
     guide.normals.topRows(own) = vertex_normals({alignment.x, source.mesh.F});
-    for (std::size_t k = 0; k < source.centres.size(); ++k)
-        guide.x.row(source.centres[k]) = alignment.x(source.loops[k + 1], Eigen::all).colwise().mean();
+    for (std::size_t k = 0; k < source.centres.size(); ++k) {
+        if (source.centres[k] >= 0)
+            guide.x.row(source.centres[k]) = alignment.x(source.loops[k], Eigen::all).colwise().mean();
+    }
     pin_openings(source, target, guide);
     return guide;
 }

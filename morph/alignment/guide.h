@@ -14,7 +14,7 @@ namespace automorph {
 struct AlignedShape {
     const Mesh& mesh;                            ///< openings open
     const std::vector<std::vector<int>>& loops;  ///< longest first, as from boundary_loops
-    const std::vector<int>& centres;  ///< per loop after the first: the vertex in the middle of its filling
+    const std::vector<int>& centres;  ///< per loop: the vertex in the middle of its filling; -1: not filled
 };
 
 /// Where a dense alignment puts the vertices of the source, fillings included.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "morph/alignment/border_pull.h"
+#include "morph/alignment/coarse.h"
 #include "morph/alignment/motion_solver.h"
 #include "morph/alignment/places.h"
 #include "morph/alignment/prior.h"
@@ -19,11 +20,8 @@ namespace automorph {
 namespace {
 
 constexpr double kNoNormals = 1e6;  // a sigma at which all normals are alike
+constexpr double kManyMore = 1.5;   // times the vertices wanted: thinning out fewer gains little
 constexpr double kSame = 1e-6;      // of the target's diagonal: some digits above those of files
-
-Mesh in_units(const Mesh& mesh, double unit) {
-    return {mesh.V / unit, mesh.F};
-}
 
 /// The similarity that brings matched points together, applied to all points.
 Points similar(const Points& x, const SoftMatches& matches) {
@@ -100,17 +98,11 @@ bool lies_on(const Mesh& source, const Mesh& target) {
     return true;
 }
 
-}  // namespace
-
-NonRigidAlignment align_nonrigid(const Mesh& source, const std::vector<std::vector<int>>& source_loops,
-                                 const Points& start, const Mesh& target,
-                                 const std::vector<std::vector<int>>& target_loops,
-                                 const NonRigidOptions& options) {
-    const double unit = bounding_box_diagonal(target.V);
-    const Mesh to = in_units(target, unit);
-    Mesh from{start / unit, source.F};
-    if (lies_on(from, to)) return {start, 0.0, 0, 0};
-    const SoftMatching matching(oriented_points(to));
+/// The alignment in units of the target's diagonal, whatever the sizes of the meshes.
+NonRigidAlignment fitted(Mesh from, const std::vector<std::vector<int>>& source_loops, const Mesh& to,
+                         const std::vector<std::vector<int>>& target_loops, const NonRigidOptions& options) {
+    const bool part = !source_loops.empty() && target_loops.empty();
+    const SoftMatching matching(oriented_points(to), part ? Coverage::Part : Coverage::Whole);
     const auto match = [&](const AlignmentLevel& level) {
         const double normal = options.normals ? level.normal : kNoNormals;
         SoftMatches matches = matching.match(oriented_points(from), {level.position, normal});
@@ -143,9 +135,34 @@ NonRigidAlignment align_nonrigid(const Mesh& source, const std::vector<std::vect
             from.V = reference + solver.solve(pulls, options.stiffness * level.stiffness, from.V - reference);
         }
     }
-    result.x = from.V * unit;
+    result.x = std::move(from.V);
     result.factorisations = solver.factorisations();
     result.iterations = solver.iterations();
+    return result;
+}
+
+/// The mesh itself, or thinned out if it has many more vertices than are wanted.
+CoarseMesh bounded(const Mesh& mesh, const std::vector<std::vector<int>>& loops, int vertices) {
+    if (mesh.vertex_count() >= kManyMore * vertices) return coarse_mesh(mesh, loops, vertices);
+    return {mesh, {}, loops};
+}
+
+}  // namespace
+
+NonRigidAlignment align_nonrigid(const Mesh& source, const std::vector<std::vector<int>>& source_loops,
+                                 const Points& start, const Mesh& target,
+                                 const std::vector<std::vector<int>>& target_loops,
+                                 const NonRigidOptions& options) {
+    const double unit = bounding_box_diagonal(target.V);
+    const Mesh to{target.V / unit, target.F}, from{start / unit, source.F};
+    if (lies_on(from, to)) return {start, 0.0, 0, 0};
+    const CoarseMesh coarse_to = bounded(to, target_loops, options.vertices),
+                     coarse_from = bounded(from, source_loops, options.vertices);
+    NonRigidAlignment result =
+        fitted(coarse_from.mesh, coarse_from.loops, coarse_to.mesh, coarse_to.loops, options);
+    if (!coarse_from.vertex.empty())
+        result.x = carried(coarse_from.mesh, result.x, from.V, vertex_normals(from));
+    result.x *= unit;
     return result;
 }
 

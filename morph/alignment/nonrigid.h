@@ -16,6 +16,8 @@ struct NonRigidAlignment {
 
 /// Non-rigid EM-ICP: the soft matching of [Urtasun04] Sec. 4.1 continued from a rigid to a smooth motion,
 /// from coarse to fine.
+/// Cost  bounded by options.vertices: larger meshes are thinned out (coarse.h), and the motion of the coarse
+///       source is carried over to the vertices of the whole.
 /// A source whose vertices all lie on the target already stays where it is.
 /// @param start  #V x 3, the source's vertices moved into the target's frame by the registration
 /// @param source_loops, target_loops  borders as from boundary_loops; both empty for closed shapes

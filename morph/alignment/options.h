@@ -28,6 +28,7 @@ struct NonRigidOptions {
     double slide = 0.95;            ///< share of that pull which is not felt along the border
     double plastic = 0.7;           ///< how much of the motion so far becomes the shape at rest
     int similarity_rounds = 8;      ///< of turning, shifting and scaling before anything bends
+    int vertices = 5000;            ///< a mesh of half as many again or more is thinned out to so many
     bool normals = true;            ///< matches heed normals
     bool directional_trust = true;  ///< matches pull weakly along surfaces that look alike along them
 

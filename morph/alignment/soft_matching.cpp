@@ -125,7 +125,8 @@ Eigen::VectorXd emphasis(const Eigen::VectorXd& share) {
 
 /// Replaces the kernel by P_ij = a_i s_i K_ij t_j b_j, s and t the shares of the surfaces. With the shares
 /// beside the scalings these do not depend on how finely the surfaces are sampled.
-void scale_to_shares(Pairs& pairs, const Eigen::VectorXd& source_share, const Eigen::VectorXd& target_share) {
+void scale_to_shares(Pairs& pairs, const Eigen::VectorXd& source_share, const Eigen::VectorXd& target_share,
+                     double target_power) {
     const Transposed columns = transposed(pairs, target_share.size());
     const Eigen::VectorXd source_emphasis = emphasis(source_share), target_emphasis = emphasis(target_share);
     Eigen::VectorXd a = Eigen::VectorXd::Ones(source_share.size()),
@@ -137,7 +138,7 @@ void scale_to_shares(Pairs& pairs, const Eigen::VectorXd& source_share, const Ei
                  at < columns.start[static_cast<std::size_t>(j) + 1]; ++at)
                 sum +=
                     pairs.kernel[columns.pair[at]] * source_share[columns.source[at]] * a[columns.source[at]];
-            b[j] = target_emphasis[j] * std::pow(std::max(sum, kTiny), -kPower);
+            b[j] = target_emphasis[j] * std::pow(std::max(sum, kTiny), -target_power);
         });
         for_rows(a.size(), [&](Eigen::Index i) {
             double sum = 0.0;
@@ -191,13 +192,16 @@ OrientedPoints oriented_points(const Mesh& mesh) {
     return {mesh.V, vertex_normals(mesh), std::move(area)};
 }
 
-SoftMatching::SoftMatching(OrientedPoints target) : target_(std::move(target)), spread_(spreads(target_)) {}
+SoftMatching::SoftMatching(OrientedPoints target, Coverage coverage)
+    : target_(std::move(target)),
+      target_power_(coverage == Coverage::Whole ? kPower : 0.0),
+      spread_(spreads(target_)) {}
 
 SoftMatches SoftMatching::match(const OrientedPoints& source, const Scales& scales) const {
     const NearestPoints<6> source_tree(features(source, scales)), target_tree(features(target_, scales));
     Pairs pairs = united(nearest(target_tree, source_tree.points(), kNeighbours),
                          nearest(source_tree, target_tree.points(), kNeighbours), source.points.rows());
-    scale_to_shares(pairs, source.weight, target_.weight);
+    scale_to_shares(pairs, source.weight, target_.weight, target_power_);
 
     SoftMatches matches{source.points, Eigen::VectorXd::Zero(source.points.rows()),
                         std::vector<Eigen::Matrix3d>(static_cast<std::size_t>(source.points.rows()))};

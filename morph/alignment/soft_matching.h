@@ -25,6 +25,12 @@ struct SoftMatches {
                                          ///< shape near c_i says where along
 };
 
+/// How much of the target the source is a match for.
+enum class Coverage {
+    Whole,  ///< target points look for partners as source points do
+    Part,   ///< they wait: those beyond the source's border would pull it over them
+};
+
 /// Soft matching between a moving source and a fixed target: Eq. (6) of [Urtasun04] in both directions at
 /// once.
 ///
@@ -33,7 +39,7 @@ struct SoftMatches {
 ///         points without a partner go free.
 class SoftMatching {
 public:
-    explicit SoftMatching(OrientedPoints target);
+    explicit SoftMatching(OrientedPoints target, Coverage coverage = Coverage::Whole);
 
     struct Scales {
         double position, normal;  ///< sigma of positions, in the target's unit, and of unit normals
@@ -42,6 +48,7 @@ public:
 
 private:
     OrientedPoints target_;
+    double target_power_;                  ///< of the target's scalings; 0: there are none
     std::vector<Eigen::Matrix3d> spread_;  ///< per target vertex: covariance of its likes nearby
 };
 

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "morph/mesh/geometry.h"
+
 // Notation of Eq. (9)-(11): site p = sum b_i v_i, n its unit normal, d_i = v_i - p, theta_i the angle between
 // n and the vertex normal n_i, beta_i the angle between n and d_i.
 
@@ -16,6 +18,9 @@ using Eigen::Vector3d;
 
 /// tan(theta / 2) at the largest angle between the normals of a site and of a corner: 60 degrees.
 const double kMaxBend = std::tan(M_PI / 6.0);
+
+/// Cosine of 30 degrees: triangles of a crease of 60 degrees. Coarse spheres of 80 triangles are below it.
+const double kCrease = std::cos(M_PI / 6.0);
 
 Vector3d flat(const Points& V, const Site& site) {
     if (site.count == 1) return V.row(site.corners[0]);
@@ -59,6 +64,23 @@ Points place(const Points& V, const std::vector<Site>& sites) {
     for (std::size_t i = 0; i < sites.size(); ++i)
         points.row(static_cast<Eigen::Index>(i)) = flat(V, sites[i]);
     return points;
+}
+
+Points smooth_normals(const Mesh& mesh) {
+    Points normals = vertex_normals(mesh);
+    std::vector<char> sharp(static_cast<std::size_t>(mesh.vertex_count()), 0);
+    for (int f = 0; f < mesh.triangle_count(); ++f) {
+        const Vector3d p = mesh.V.row(mesh.F(f, 0)), q = mesh.V.row(mesh.F(f, 1)),
+                       r = mesh.V.row(mesh.F(f, 2));
+        const Vector3d n = (q - p).cross(r - p).stableNormalized();
+        if (n.isZero(0.0)) continue;
+        for (int k = 0; k < 3; ++k)
+            sharp[static_cast<std::size_t>(mesh.F(f, k))] |= normals.row(mesh.F(f, k)).dot(n) < kCrease;
+    }
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        if (sharp[static_cast<std::size_t>(v)]) normals.row(v).setZero();
+    }
+    return normals;
 }
 
 Points lift(const Points& V, const Points& normals, const std::vector<Site>& sites) {

@@ -68,10 +68,10 @@ public:
         }
     }
 
-    std::vector<int> run() {
+    std::vector<int> run(int leave) {
         const auto stays = static_cast<int>(std::count(fixed_.begin(), fixed_.end(), 1));
         int left = vertices() - stays;
-        const int base = stays > 0 ? 1 : 4;
+        const int base = std::max(leave, stays > 0 ? 1 : 4);
         std::vector<int> collapses;
         collapses.reserve(at(std::max(0, left - base)));
         for (int v = 0; v < vertices(); ++v) {
@@ -79,6 +79,7 @@ public:
         }
         while (left > base) {
             if (queue_.empty()) {
+                if (leave > 0) break;
                 throw SolverFailure(fmt::format(
                     "progressive sphere map: no edge can be collapsed at {} vertices; the mesh is no sphere",
                     left));
@@ -250,8 +251,8 @@ private:
 
 }  // namespace
 
-std::vector<int> decimate(HalfEdges& mesh, const Points& V, const std::vector<char>& fixed) {
-    return Decimation(mesh, V, fixed).run();
+std::vector<int> decimate(HalfEdges& mesh, const Points& V, const std::vector<char>& fixed, int leave) {
+    return Decimation(mesh, V, fixed).run(leave);
 }
 
 }  // namespace automorph

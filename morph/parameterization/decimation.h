@@ -16,11 +16,12 @@ namespace automorph {
 /// @param mesh    is left thinned out
 /// @param V       #V x 3, scaled to an area of about 4 pi
 /// @param fixed   #V: vertices that stay (a border and the apex that closes it), or empty
+/// @param leave   stops when so many of the vertices that may go are left; 0: goes on to the base
 /// @returns the collapses in their order: for HalfEdges::undo. All vertices but 4 go, or with a border all
 /// that
 ///          are not fixed but one.
 /// @pre with a border: no edge joins two border vertices across the inside
-/// @throws SolverFailure  no collapse is left before that
-std::vector<int> decimate(HalfEdges& mesh, const Points& V, const std::vector<char>& fixed);
+/// @throws SolverFailure  no collapse is left before the base; with `leave` that is an end like any other
+std::vector<int> decimate(HalfEdges& mesh, const Points& V, const std::vector<char>& fixed, int leave = 0);
 
 }  // namespace automorph

@@ -147,6 +147,10 @@ Points Registration::apply(const Points& V) const {
     return (scale * V * R.transpose()).rowwise() + t.transpose();
 }
 
+Points Registration::inverse(const Points& V) const {
+    return (V.rowwise() - t.transpose()) * R / scale;
+}
+
 Registration register_rigid(const Mesh& source, const Mesh& target, const RegistrationOptions& options) {
     // What is not a surface is refused by its size, before anything else.
     SurfaceSize source_size = surface_size(source), target_size = surface_size(target);

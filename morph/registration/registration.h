@@ -25,7 +25,8 @@ struct Registration {
     bool converged = false;
     bool confident = false;  ///< runner_up is clearly worse: the pose is not a guess among equals
 
-    Points apply(const Points& V) const;  ///< #V x 3, moved into the target's frame
+    Points apply(const Points& V) const;    ///< #V x 3, moved into the target's frame
+    Points inverse(const Points& V) const;  ///< #V x 3 of the target's frame, moved into the source's
 };
 
 /// EM-ICP [Granger02], [Urtasun04] Sec. 4.1, from any initial rotation: many starting rotations on a coarse

@@ -108,3 +108,30 @@ TEST_CASE("the dense alignment of open shapes is one-to-one and far better than 
     CHECK(error[1] < 0.8);
     CHECK(error[1] < 0.6 * error[0]);
 }
+
+TEST_CASE("an open shape is laid densely on a closed one, whichever comes first") {
+    const Mesh part = above(shape(3), 0.1);
+    Mesh whole = shape(4);
+    whole.V = warped(whole.V);
+    const Points truth = warped(part.V);
+    double error[2];
+    for (const Alignment alignment : {Alignment::Registration, Alignment::Dense}) {
+        MorphOptions options;
+        options.alignment = alignment;
+        const Morph result = morph(admit_mesh(part), admit_mesh(whole), options);
+        for (const MapReport& map : result.report().maps) CHECK(map.flipped == 0);
+        CHECK(result.report().alignment.used == (alignment == Alignment::Dense));
+        error[alignment == Alignment::Dense] = 100.0 *
+                                               (result.correspondence() - truth).rowwise().norm().mean() /
+                                               bounding_box_diagonal(whole.V);
+    }
+    INFO("registration " << error[0] << " %, dense " << error[1] << " %");
+    CHECK(error[1] < 1.0);
+    CHECK(error[1] < 0.9 * error[0]);
+
+    // The other way round the open shape, now the target, is the one that moves.
+    const Morph back = morph(admit_mesh(whole), admit_mesh(part), {});
+    CHECK(back.report().alignment.used);
+    CHECK(back.report().maps[1].weights == "aligned");
+    CHECK(back.report().maps[1].flipped == 0);
+}

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <random>
 
+#include "morph/mesh/geometry.h"
+#include "morph/shapes/shapes.h"
 #include "tests/catch.h"
 
 using namespace automorph;
@@ -104,6 +106,29 @@ TEST_CASE("a corner normal that faces away bounds the lift instead of sending th
     normals << 0, 0.999, 0.0447, 0, -0.999, 0.0447;
     const Points lifted = lift(V, normals, {Site{{0, 1, -1}, {0.5, 0.5, 0}, 2}});
     CHECK((lifted.row(0) - Eigen::RowVector3d(0.5, 0, 0)).norm() < 0.5);
+}
+
+TEST_CASE("a smooth mesh keeps its normals for the lift, the edges of a solid have none") {
+    const Mesh smooth = ellipsoid({1.0, 0.8, 0.6}, {.triangles = 1000});
+    CHECK(smooth_normals(smooth) == vertex_normals(smooth));
+
+    // A cube with the middles of its faces as vertices: those are smooth, its corners are not.
+    Mesh cube;
+    cube.V.resize(14, 3);
+    for (int v = 0; v < 8; ++v) cube.V.row(v) << (v & 1), (v >> 1 & 1), (v >> 2 & 1);
+    const int faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                             {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+    cube.F.resize(24, 3);
+    for (int f = 0; f < 6; ++f) {
+        cube.V.row(8 + f) = 0.5 * (cube.V.row(faces[f][0]) + cube.V.row(faces[f][2]));
+        for (int k = 0; k < 4; ++k) cube.F.row(4 * f + k) << 8 + f, faces[f][k], faces[f][(k + 1) % 4];
+    }
+    const Points normals = smooth_normals(cube);
+    CHECK(normals.topRows(8).isZero(0.0));
+    CHECK(normals.bottomRows(6) == vertex_normals(cube).bottomRows(6));
+    // So that every point of its faces stays on them.
+    const Site site{{8, faces[0][0], faces[0][1]}, {0.2, 0.5, 0.3}, 3};
+    CHECK(lift(cube.V, normals, {site}) == place(cube.V, {site}));
 }
 
 TEST_CASE("composing a site of a refined mesh gives the same point on the original") {
