@@ -86,6 +86,7 @@ struct PictureConfig {
 /// What the cells of a figure show.
 enum class Show {
     Morph,     ///< frames
+    Shape,     ///< the source from several sides
     Map,       ///< the source, and its map onto the disk or the sphere as a drawn triangulation
     Borders,   ///< the border insertion: both borders with each other's vertices
     Features,  ///< both shapes with their curvature features marked
@@ -99,7 +100,8 @@ struct FigureConfig {
     MeshConfig source, target;
     std::vector<RowConfig> rows;
     std::vector<double> alphas{0, 0.25, 0.5, 0.75, 1};
-    std::uint64_t seed = 1;  ///< of the registration
+    std::vector<double> turns{0, 45, 90};  ///< of Show::Shape: degrees about picture.up, one per cell
+    std::uint64_t seed = 1;                ///< of the registration
     PictureConfig picture;
     std::filesystem::path output;  ///< folder for the pictures
 };

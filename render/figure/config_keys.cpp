@@ -246,7 +246,8 @@ void check_figure(const FigureConfig& figure, const YAML::Node& node, const Plac
         if (!node[name] && wanted)
             place.fail(node.Mark(), fmt::format("'{}' is missing in the config", name));
     };
-    expect("target", figure.show != Show::Map);
+    const bool pair = figure.show != Show::Map && figure.show != Show::Shape;
+    expect("target", pair);
     expect("rows", figure.show == Show::Morph || figure.show == Show::Features);
     for (std::size_t i = 1; i < figure.alphas.size(); ++i) {
         if (figure.alphas[i] <= figure.alphas[i - 1]) {
@@ -263,15 +264,19 @@ Section<FigureConfig> make_figure_section() {
     table.keys = {
         text("title", &C::title, "stands above the sheet"),
         choice("show", &C::show, kShows,
-               "what the cells show: frames of the morph; the source and its map as a drawn triangulation; "
+               "what the cells show: frames of the morph; the source from several sides; the source and its "
+               "map as a drawn triangulation; "
                "both borders with the vertices inserted; both shapes with their curvature features marked"),
         required(
             section("source", &C::source, mesh_section(), "the mesh at alpha = 0: a file, or a mapping")),
         section("target", &C::target, mesh_section(),
-                "the mesh at alpha = 1: a file, or a mapping; required but for `show: map`"),
+                "the mesh at alpha = 1: a file, or a mapping; of all that shows two shapes"),
         list("rows", &C::rows, row_section(),
              "one morph each, top to bottom; of `show: morph` and `show: features`"),
         numbers("alphas", &C::alphas, {0, 1}, "the columns, ascending: 0 is the source, 1 the target"),
+        only_with("show: shape",
+                  numbers("turns", &C::turns, {-3600, 3600},
+                          "the columns: degrees by which the shape is turned about picture.up")),
         value("seed", &C::seed, kSeed, "of the registration's samples and starts"),
         section("picture", &C::picture, picture_section(), "how every cell is pictured"),
         path("output", &C::output,

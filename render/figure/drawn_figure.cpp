@@ -29,6 +29,38 @@ void draw_map(const FigureConfig& config, const FigureOptions& options, Figure& 
     figure.camera = shooting.camera;
 }
 
+/// The shape turned about an axis through the middle of its bounding box.
+Points turned(const Points& V, const Eigen::Vector3d& axis, double degrees) {
+    const Eigen::Matrix3d R = rotation_matrix({axis, degrees});
+    const Eigen::RowVector3d centre = 0.5 * (V.colwise().minCoeff() + V.colwise().maxCoeff());
+    return ((V.rowwise() - centre) * R.transpose()).rowwise() + centre;
+}
+
+void picture_shape(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
+    const Stopwatch loading;
+    const InputMesh shape = make_mesh(config.source, "source");
+    figure.load_seconds = loading.seconds();
+    std::vector<Points> sides;
+    std::vector<const Points*> frames;
+    for (const double degrees : config.turns)
+        sides.push_back(turned(shape.mesh.V, config.picture.up, degrees));
+    for (const Points& side : sides) frames.push_back(&side);
+    const Shooting shooting = shooting_of(config.picture, options, figure, frames);
+    figure.camera = shooting.camera;
+    figure.morphs.emplace_back().source = shape.report;
+    FigureRow& row = figure.rows.emplace_back();
+    Subject subject(shooting, shape.mesh.V, shape.mesh.F);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        FigureCell cell = subject.shoot(sides[i], [&](double fraction) {
+            const double done = (static_cast<double>(i) + fraction) / static_cast<double>(sides.size());
+            if (options.progress) options.progress("pictures", std::min(done, 0.999));
+        });
+        cell.label = fmt::format("{}\u00b0", config.turns[i]);
+        row.cells.push_back(std::move(cell));
+    }
+    if (options.progress) options.progress("pictures", 1);
+}
+
 FigureRow draw_borders(const Shooting& shooting, const InputMesh& source, const InputMesh& target,
                        std::uint64_t seed, Report& report) {
     const BorderInsertion insertion = insert_borders(source, target, seed);
@@ -49,6 +81,7 @@ FigureRow draw_features(const Shooting& shooting, const InputMesh& source, const
 }  // namespace
 
 void draw_figure(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
+    if (config.show == Show::Shape) return picture_shape(config, options, figure);
     if (config.show == Show::Map) return draw_map(config, options, figure);
     const Stopwatch loading;
     const InputMesh source = make_mesh(config.source, "source"), target = make_mesh(config.target, "target");

@@ -30,8 +30,8 @@ inline constexpr std::array kDomains{Named<Domain>{"auto", Domain::Auto}, Named<
                                      Named<Domain>{"cut", Domain::Cut}};
 inline constexpr std::array kFeatureTargets{Named<FeatureTargets>{"vertices", FeatureTargets::Vertices},
                                             Named<FeatureTargets>{"candidates", FeatureTargets::Candidates}};
-inline constexpr std::array kShows{Named<Show>{"morph", Show::Morph}, Named<Show>{"map", Show::Map},
-                                   Named<Show>{"borders", Show::Borders},
+inline constexpr std::array kShows{Named<Show>{"morph", Show::Morph}, Named<Show>{"shape", Show::Shape},
+                                   Named<Show>{"map", Show::Map}, Named<Show>{"borders", Show::Borders},
                                    Named<Show>{"features", Show::Features}};
 inline constexpr std::array kNormals{Named<render::Normals>{"smooth", render::Normals::Smooth},
                                      Named<render::Normals>{"flat", render::Normals::Flat}};

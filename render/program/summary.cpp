@@ -35,8 +35,14 @@ void add_registration(std::string& text, const RegistrationReport& registration)
 }
 
 void add_maps(std::string& text, const Report& report) {
-    text += fmt::format("domain        {}{}\n", report.domain,
-                        report.target_reversed ? ", the target's border turned round" : "");
+    if (!report.domain.empty()) {
+        text += fmt::format("domain        {}{}\n", report.domain,
+                            report.target_reversed ? ", the target's border turned round" : "");
+    }
+    if (report.border.merged > 0) {
+        text += fmt::format("border        {} + {} vertices, {} of both -> {}\n", report.border.source,
+                            report.border.target, report.border.shared, report.border.merged);
+    }
     for (const MapReport& map : report.maps) {
         text += fmt::format("map           {}: {}{}, {} flipped, p01 {:.2g}\n", map.of, map.weights,
                             map.reason.empty() ? "" : " (" + map.reason + ")", map.flipped, map.p01);
@@ -63,7 +69,8 @@ void add_stages(std::string& text, const Report& report) {
         total += stage.seconds;
         memory = std::max(memory, stage.peak_memory_mb);
     }
-    text += fmt::format("time          {:.2f} s ({}), peak memory {:.0f} MB\n", total, stages, memory);
+    if (!stages.empty())
+        text += fmt::format("time          {:.2f} s ({}), peak memory {:.0f} MB\n", total, stages, memory);
 }
 
 }  // namespace
@@ -71,13 +78,13 @@ void add_stages(std::string& text, const Report& report) {
 std::string meshes_summary(const Report& report) {
     std::string text;
     add_mesh(text, "source", report.source);
-    add_mesh(text, "target", report.target);
+    if (report.target.vertices > 0) add_mesh(text, "target", report.target);
     return text;
 }
 
 std::string morph_summary(const Report& report) {
     std::string text;
-    add_registration(text, report.registration);
+    if (!report.domain.empty() || report.registration.used) add_registration(text, report.registration);
     add_maps(text, report);
     for (const std::string& note : report.notes) text += fmt::format("{:<13} {}\n", "note", note);
     add_stages(text, report);

@@ -69,6 +69,21 @@ TEST_CASE("figure 2 shows a closed shape on the sphere, an opening as a hole") {
     CHECK(inked(figure.rows[0].cells[1].image) > 0.5);
 }
 
+TEST_CASE("a shape from several sides: one cell per turn, the camera holds for all") {
+    FigureConfig head = config("head.yaml");
+    head.source.triangles = 3000;
+    head.turns = {0, 90, 360};
+    const Figure figure = draft(head);
+    REQUIRE(figure.rows.size() == 1);
+    const std::vector<FigureCell>& cells = figure.rows[0].cells;
+    REQUIRE(cells.size() == 3);
+    CHECK(cells[1].label == "90\u00b0");
+    CHECK(figure.morphs[0].source.closed);
+    // Deeper than wide; a full turn is none, but for noise and rounding at the rim.
+    CHECK(inked(cells[1].image) > 1.1 * inked(cells[0].image));
+    CHECK(inked(cells[2].image) == Approx(inked(cells[0].image)).epsilon(0.01));
+}
+
 TEST_CASE("figure 3: each border gets the vertices of the other") {
     const FigureConfig fig3 = config("fig3.yaml");
     const InputMesh source = make_mesh(fig3.source, "source"), target = make_mesh(fig3.target, "target");

@@ -100,6 +100,7 @@ TEST_CASE("the summary tells what was found, and says so when the registration i
     report.registration.converged = false;
     CHECK(morph_summary(report).find("not converged") != std::string::npos);
     report.registration.used = false;
+    report.domain = "disk";
     CHECK(morph_summary(report).find("registration  not used") != std::string::npos);
     CHECK(morph_summary(report).find("UNSURE") == std::string::npos);
 }
