@@ -77,6 +77,7 @@ TEST_CASE("the summary tells what was found, and says so when the registration i
     report.source.boundary_loops = 3;
     report.source.mended = {"merged 7 duplicate vertices"};
     report.target.name = "b.obj";
+    report.target.vertices = 80;
     report.target.closed = true;
     report.registration.used = true;
     report.registration.converged = true;
