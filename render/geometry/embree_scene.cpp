@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <mutex>
 #include <vector>
 
@@ -80,6 +81,14 @@ void trace(RTCScene scene, RTCRayHit& ray, bool coherent) {
     rtcIntersect1(scene, &ray, &arguments);
 }
 
+void trace(RTCScene scene, const int* valid, RTCRayHit16& rays) {
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    arguments.feature_mask = RTC_FEATURE_FLAG_TRIANGLE;
+    rtcIntersect16(valid, scene, &rays, &arguments);
+}
+
 void trace_shadow(RTCScene scene, RTCRay& ray) {
     RTCOccludedArguments arguments;
     rtcInitOccludedArguments(&arguments);
@@ -92,6 +101,13 @@ void trace(RTCScene scene, RTCRayHit& ray, bool coherent) {
     rtcInitIntersectContext(&context);
     context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     rtcIntersect1(scene, &context, &ray);
+}
+
+void trace(RTCScene scene, const int* valid, RTCRayHit16& rays) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, scene, &context, &rays);
 }
 
 void trace_shadow(RTCScene scene, RTCRay& ray) {
@@ -195,6 +211,36 @@ std::optional<Hit> EmbreeScene::intersect(const Vec3& origin, const Vec3& direct
     trace(state_->scene, query, coherent);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return Hit{query.ray.tfar, query.hit.geomID, query.hit.primID};
+}
+
+std::array<std::optional<Hit>, RayPacket::kSize> EmbreeScene::intersect(const RayPacket& packet) const {
+    alignas(64) std::array<int, RayPacket::kSize> valid;
+    alignas(64) RTCRayHit16 query;
+    for (std::size_t i = 0; i < RayPacket::kSize; ++i) {
+        valid[i] = i < packet.count ? -1 : 0;
+        const Vec3& direction = packet.directions[i < packet.count ? i : 0];
+        query.ray.org_x[i] = packet.origin.x();
+        query.ray.org_y[i] = packet.origin.y();
+        query.ray.org_z[i] = packet.origin.z();
+        query.ray.tnear[i] = 0.0f;
+        query.ray.dir_x[i] = direction.x();
+        query.ray.dir_y[i] = direction.y();
+        query.ray.dir_z[i] = direction.z();
+        query.ray.time[i] = 0.0f;
+        query.ray.tfar[i] = std::numeric_limits<float>::infinity();
+        query.ray.mask[i] = ~0u;
+        query.ray.id[i] = 0;
+        query.ray.flags[i] = 0;
+        query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    trace(state_->scene, valid.data(), query);
+    std::array<std::optional<Hit>, RayPacket::kSize> hits;
+    for (std::size_t i = 0; i < packet.count; ++i) {
+        if (query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
+            hits[i] = Hit{query.ray.tfar[i], query.hit.geomID[i], query.hit.primID[i]};
+    }
+    return hits;
 }
 
 bool EmbreeScene::occluded(const Vec3& origin, const Vec3& direction, float far) const {

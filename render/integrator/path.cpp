@@ -93,14 +93,14 @@ Color PathTracer::catcher_albedo(const Vec3& position, const Vec3& normal) const
     return (sum > 0.0f).select(kPi * background_ / sum, 0.0f);
 }
 
-Color PathTracer::radiance(Vec3 origin, Vec3 direction, const PixelSampler& random, std::uint32_t index,
+Color PathTracer::radiance(Vec3 origin, Vec3 direction, std::optional<Hit> hit, const SampleNumbers& random,
                            std::uint64_t& rays) const {
     Color sum = Color::Zero();
     Color throughput = Color::Ones();
     float bsdf_pdf = 0.0f;  // of `direction`
     for (int depth = 0;; ++depth) {
         ++rays;
-        const std::optional<Hit> hit = scene_.embree().intersect(origin, direction, kInfinity, depth == 0);
+        if (depth > 0) hit = scene_.embree().intersect(origin, direction, kInfinity, false);
         sum += throughput *
                light_on_the_way(origin, direction, hit ? hit->distance : kInfinity, depth, bsdf_pdf);
         if (!hit) {
@@ -117,7 +117,7 @@ Color PathTracer::radiance(Vec3 origin, Vec3 direction, const PixelSampler& rand
             surface, Frame(surface.shading_normal),
             Diffuse(catches ? catcher_albedo(surface.position, surface.shading_normal) : material.albedo)};
         const auto pair = [&](Pair which) {
-            return random(index, static_cast<std::uint32_t>(depth) * kPairsPerVertex + which);
+            return random(static_cast<std::uint32_t>(depth) * kPairsPerVertex + which);
         };
         const bool roulette = depth >= options_.roulette_after;
         const bool choose = light_probability_.size() > 1;

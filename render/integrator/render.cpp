@@ -51,8 +51,14 @@ struct Counts {
 
 class Tiles {
 public:
-    Tiles(const PathTracer& tracer, const PinholeCamera& camera, const RenderOptions& options, Image& image)
-        : tracer_(tracer), camera_(camera), options_(options), filter_(options.filter), image_(image) {}
+    Tiles(const Scene& scene, const PathTracer& tracer, const PinholeCamera& camera,
+          const RenderOptions& options, Image& image)
+        : scene_(scene),
+          tracer_(tracer),
+          camera_(camera),
+          options_(options),
+          filter_(options.filter),
+          image_(image) {}
 
     int count() const { return columns() * ((options_.height + options_.tile - 1) / options_.tile); }
 
@@ -74,14 +80,28 @@ private:
                                   static_cast<std::uint32_t>(y));
         Eigen::Array3d sum = Eigen::Array3d::Zero();
         std::uint32_t good = 0;
-        for (std::uint32_t index = 0; index < static_cast<std::uint32_t>(options_.spp); ++index) {
-            const Sample2 place = random(index, 0);
-            const Vec3 direction = camera_.direction(static_cast<float>(x) + 0.5f + filter_(place.u),
-                                                     static_cast<float>(y) + 0.5f + filter_(place.v));
-            const Color radiance = tracer_.radiance(camera_.origin(), direction, random, index, counts.rays);
-            if (radiance.allFinite() && (radiance >= 0.0f).all()) {
-                sum += radiance.cast<double>();
-                ++good;
+        SampleNumbers::Prepared prepared;
+        RayPacket packet;
+        packet.origin = camera_.origin();
+        const auto spp = static_cast<std::uint32_t>(options_.spp);
+        for (std::uint32_t first = 0; first < spp; first += static_cast<std::uint32_t>(RayPacket::kSize)) {
+            for (std::uint32_t pair = 0; pair < SampleNumbers::kPrepared; ++pair)
+                random(first, pair, prepared[pair]);
+            packet.count = std::min<std::size_t>(RayPacket::kSize, spp - first);
+            for (std::size_t i = 0; i < packet.count; ++i) {
+                packet.directions[i] =
+                    camera_.direction(static_cast<float>(x) + 0.5f + filter_(prepared[0].u[i]),
+                                      static_cast<float>(y) + 0.5f + filter_(prepared[0].v[i]));
+            }
+            const auto hits = scene_.embree().intersect(packet);
+            for (std::size_t i = 0; i < packet.count; ++i) {
+                const Color radiance =
+                    tracer_.radiance(packet.origin, packet.directions[i], hits[i],
+                                     SampleNumbers(random, prepared, first, i), counts.rays);
+                if (radiance.allFinite() && (radiance >= 0.0f).all()) {
+                    sum += radiance.cast<double>();
+                    ++good;
+                }
             }
         }
         counts.samples += static_cast<std::uint64_t>(options_.spp);
@@ -90,6 +110,7 @@ private:
         std::copy(mean.data(), mean.data() + 3, image_.at(x, y));
     }
 
+    const Scene& scene_;
     const PathTracer& tracer_;
     const PinholeCamera& camera_;
     const RenderOptions& options_;
@@ -132,7 +153,7 @@ RenderResult render(Scene& scene, const Camera& camera, const RenderOptions& opt
         scene.commit();
         const auto start = std::chrono::steady_clock::now();
         const PathTracer tracer(scene, options);
-        render_tiles(Tiles(tracer, pinhole, options, result.image), options, result);
+        render_tiles(Tiles(scene, tracer, pinhole, options, result.image), options, result);
         result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
     if (options.threads == 0) {

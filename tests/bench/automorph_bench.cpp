@@ -5,6 +5,7 @@
 
 #include "overlay_bench.h"
 #include "tests/bench/accuracy_bench.h"
+#include "tests/bench/render_bench.h"
 
 namespace {
 
@@ -13,7 +14,8 @@ constexpr const char* kHelp =
     "                                           without files: pairs of the example meshes in build/meshes\n"
     "automorph_bench accuracy [--ablation] [DIR]  the correspondence of whole morphs against ground truth "
     "in\n"
-    "                                           DIR (default ../shared/meshes), and what each part gives\n";
+    "                                           DIR (default ../shared/meshes), and what each part gives\n"
+    "automorph_bench render [MESH.off]          rays per CPU second beside the smallest path tracer\n";
 
 }  // namespace
 
@@ -24,6 +26,8 @@ int main(int argc, char** argv) {
             return automorph::bench::overlay_bench({arguments.begin() + 1, arguments.end()});
         if (!arguments.empty() && arguments[0] == "accuracy")
             return automorph::bench::accuracy_bench({arguments.begin() + 1, arguments.end()});
+        if (!arguments.empty() && arguments[0] == "render")
+            return automorph::bench::render_bench({arguments.begin() + 1, arguments.end()});
         std::fputs(kHelp, arguments.empty() || arguments[0] == "help" ? stdout : stderr);
         return arguments.empty() || arguments[0] == "help" ? 0 : 2;
     } catch (const std::exception& error) {

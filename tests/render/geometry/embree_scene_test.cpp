@@ -33,6 +33,36 @@ TEST_CASE("rays find the first triangle and its distance, shadow rays anything b
     CHECK_FALSE(scene.occluded({0.3f, 0.1f, 3.0f}, {0, 0, 1}, 1e9f));
 }
 
+TEST_CASE("a packet of rays meets what the single rays meet") {
+    const Shape sphere = icosphere(3);
+    const TriangleMesh mesh(sphere.V, sphere.F, Normals::Flat);
+    for (const char* config : {"", "isa=sse4.2"}) {
+        EmbreeScene scene({config, false});
+        scene.attach(0, mesh);
+        scene.commit();
+        int met = 0;
+        for (std::size_t count : {1u, 5u, 16u}) {
+            RayPacket packet;
+            packet.origin = {0.1f, -3.0f, 0.2f};
+            packet.count = count;
+            for (std::size_t i = 0; i < count; ++i)
+                packet.directions[i] = Vec3(0.03f * static_cast<float>(i), 1.0f, 0.01f).normalized();
+            const auto hits = scene.intersect(packet);
+            for (std::size_t i = 0; i < hits.size(); ++i) {
+                std::optional<Hit> expected;
+                if (i < count) expected = scene.intersect(packet.origin, packet.directions[i], 1e30f, false);
+                REQUIRE(hits[i].has_value() == expected.has_value());
+                if (!expected) continue;
+                ++met;
+                CHECK(hits[i]->mesh == expected->mesh);
+                CHECK(hits[i]->triangle == expected->triangle);
+                CHECK(hits[i]->distance == Approx(expected->distance));
+            }
+        }
+        CHECK(met > 15);
+    }
+}
+
 TEST_CASE("Embree's errors come as exceptions with its message") {
     const Shape cube = box();
     const TriangleMesh mesh(cube.V, cube.F, Normals::Flat);
