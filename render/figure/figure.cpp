@@ -104,7 +104,7 @@ void render_row(const PictureConfig& picture, const FigureOptions& options, cons
     render::Scene scene({.embree_config = options.embree_config, .refit = false});
     render::MeshOptions surface;
     surface.normals = picture.normals;
-    surface.material.albedo = color(picture.albedo);
+    surface.material.base_color = color(picture.albedo);
     const int mesh = scene.add_mesh(sequence.frames.front(), sequence.triangles, surface);
     render::add_studio(scene, figure.camera, bounds, {color(picture.background), picture.ground});
 

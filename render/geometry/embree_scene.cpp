@@ -54,16 +54,16 @@ const char* name(RTCError code) {
     }
 }
 
-RTCRay make_ray(const Vec3& origin, const Vec3& direction, float far) {
+RTCRay make_ray(const Ray& from, float far) {
     RTCRay ray;
-    ray.org_x = origin.x();
-    ray.org_y = origin.y();
-    ray.org_z = origin.z();
+    ray.org_x = from.origin.x();
+    ray.org_y = from.origin.y();
+    ray.org_z = from.origin.z();
     ray.tnear = 0.0f;
-    ray.dir_x = direction.x();
-    ray.dir_y = direction.y();
-    ray.dir_z = direction.z();
-    ray.time = 0.0f;
+    ray.dir_x = from.direction.x();
+    ray.dir_y = from.direction.y();
+    ray.dir_z = from.direction.z();
+    ray.time = from.time;
     ray.tfar = far;
     ray.mask = ~0u;
     ray.id = 0;
@@ -73,10 +73,10 @@ RTCRay make_ray(const Vec3& origin, const Vec3& direction, float far) {
 
 // The one place where the query calls of Embree 3 and 4 differ.
 #if RTC_VERSION_MAJOR >= 4
-void trace(RTCScene scene, RTCRayHit& ray, bool coherent) {
+void trace(RTCScene scene, RTCRayHit& ray) {
     RTCIntersectArguments arguments;
     rtcInitIntersectArguments(&arguments);
-    arguments.flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+    arguments.flags = RTC_RAY_QUERY_FLAG_INCOHERENT;
     arguments.feature_mask = RTC_FEATURE_FLAG_TRIANGLE;
     rtcIntersect1(scene, &ray, &arguments);
 }
@@ -96,10 +96,10 @@ void trace_shadow(RTCScene scene, RTCRay& ray) {
     rtcOccluded1(scene, &ray, &arguments);
 }
 #else
-void trace(RTCScene scene, RTCRayHit& ray, bool coherent) {
+void trace(RTCScene scene, RTCRayHit& ray) {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     rtcIntersect1(scene, &context, &ray);
 }
 
@@ -202,13 +202,12 @@ void EmbreeScene::commit() {
     state.changed = false;
 }
 
-std::optional<Hit> EmbreeScene::intersect(const Vec3& origin, const Vec3& direction, float far,
-                                          bool coherent) const {
+std::optional<Hit> EmbreeScene::intersect(const Ray& ray, float far) const {
     RTCRayHit query;
-    query.ray = make_ray(origin, direction, far);
+    query.ray = make_ray(ray, far);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    trace(state_->scene, query, coherent);
+    trace(state_->scene, query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return Hit{query.ray.tfar, query.hit.geomID, query.hit.primID};
 }
@@ -218,15 +217,15 @@ std::array<std::optional<Hit>, RayPacket::kSize> EmbreeScene::intersect(const Ra
     alignas(64) RTCRayHit16 query;
     for (std::size_t i = 0; i < RayPacket::kSize; ++i) {
         valid[i] = i < packet.count ? -1 : 0;
-        const Vec3& direction = packet.directions[i < packet.count ? i : 0];
-        query.ray.org_x[i] = packet.origin.x();
-        query.ray.org_y[i] = packet.origin.y();
-        query.ray.org_z[i] = packet.origin.z();
+        const Ray& ray = packet.rays[i < packet.count ? i : 0];
+        query.ray.org_x[i] = ray.origin.x();
+        query.ray.org_y[i] = ray.origin.y();
+        query.ray.org_z[i] = ray.origin.z();
         query.ray.tnear[i] = 0.0f;
-        query.ray.dir_x[i] = direction.x();
-        query.ray.dir_y[i] = direction.y();
-        query.ray.dir_z[i] = direction.z();
-        query.ray.time[i] = 0.0f;
+        query.ray.dir_x[i] = ray.direction.x();
+        query.ray.dir_y[i] = ray.direction.y();
+        query.ray.dir_z[i] = ray.direction.z();
+        query.ray.time[i] = ray.time;
         query.ray.tfar[i] = std::numeric_limits<float>::infinity();
         query.ray.mask[i] = ~0u;
         query.ray.id[i] = 0;
@@ -243,10 +242,10 @@ std::array<std::optional<Hit>, RayPacket::kSize> EmbreeScene::intersect(const Ra
     return hits;
 }
 
-bool EmbreeScene::occluded(const Vec3& origin, const Vec3& direction, float far) const {
-    RTCRay ray = make_ray(origin, direction, far);
-    trace_shadow(state_->scene, ray);
-    return ray.tfar < 0.0f;
+bool EmbreeScene::occluded(const Ray& ray, float far) const {
+    RTCRay query = make_ray(ray, far);
+    trace_shadow(state_->scene, query);
+    return query.tfar < 0.0f;
 }
 
 }  // namespace automorph::render

@@ -10,6 +10,7 @@
 #include "render/geometry/triangle_mesh.h"
 #include "render/light/rectangle_light.h"
 #include "render/light/sky.h"
+#include "render/light/sphere_light.h"
 
 namespace automorph::render {
 
@@ -50,6 +51,7 @@ public:
     void set_material(int mesh, const Material& material);
 
     std::vector<RectangleLight> lights;
+    std::vector<SphereLight> sphere_lights;
     Sky sky;
     std::optional<Color> background;  ///< radiance of camera rays that meet nothing; the sky's when empty
 

@@ -1,65 +1,56 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "render/bsdf/bsdf.h"
 #include "render/geometry/embree_scene.h"
 #include "render/geometry/scene.h"
 #include "render/integrator/render.h"
+#include "render/integrator/sample_numbers.h"
+#include "render/light/light_set.h"
+#include "render/math/ray.h"
 #include "render/math/vec.h"
-#include "render/sampler/sobol.h"
 
 namespace automorph::render {
-
-/// The random numbers of one camera ray and its path. Those that nearly every path takes are computed for a
-/// whole batch of samples.
-class SampleNumbers {
-public:
-    static constexpr std::uint32_t kPrepared =
-        3;  ///< pairs: place in the pixel, first light and first scattering
-    using Prepared = std::array<PixelSampler::Batch, kPrepared>;
-
-    SampleNumbers(const PixelSampler& pixel, const Prepared& prepared, std::uint32_t first,
-                  std::size_t offset)
-        : pixel_(pixel), prepared_(prepared), first_(first), offset_(offset) {}
-
-    Sample2 operator()(std::uint32_t pair) const {
-        if (pair < kPrepared) return {prepared_[pair].u[offset_], prepared_[pair].v[offset_]};
-        return pixel_(first_ + static_cast<std::uint32_t>(offset_), pair);
-    }
-
-private:
-    const PixelSampler& pixel_;
-    const Prepared& prepared_;
-    std::uint32_t first_;
-    std::size_t offset_;
-};
 
 /// What all paths of a picture share.
 class PathTracer {
 public:
     /// @pre the scene is committed and stays unchanged while this object lives
+    /// @throws ConfigError if a material is out of range
     PathTracer(const Scene& scene, const RenderOptions& options);
 
     /// Radiance along a camera ray with known first hit: one sample of the path integral. Thread-safe.
     /// @param rays  counts the rays traced
-    Color radiance(Vec3 origin, Vec3 direction, std::optional<Hit> hit, const SampleNumbers& random,
-                   std::uint64_t& rays) const;
+    Color radiance(Ray ray, std::optional<Hit> hit, const SampleNumbers& random, std::uint64_t& rays) const;
+
+    /// How many of the first pairs of random numbers most paths take.
+    std::uint32_t usual_pairs() const { return usual_pairs_; }
 
 private:
     struct Vertex;
-    Color light_on_the_way(const Vec3& origin, const Vec3& direction, float far, int depth,
-                           float bsdf_pdf) const;
-    Color direct_light(const Vertex& vertex, Sample2 choice, Sample2 place, std::uint64_t& rays) const;
-    Color catcher_albedo(const Vec3& position, const Vec3& normal) const;
+    Vertex vertex(const Ray& ray, const Hit& hit, int depth) const;
+    float found_weight(int depth, float bsdf_pdf, float light_pdf) const;
+    Color light_on_the_way(const Ray& ray, float far, int depth, float bsdf_pdf) const;
+    Color sky(const Ray& ray, int depth, float bsdf_pdf) const;
+    Color direct_light(const Vertex& vertex, float choice, Sample2 place, float time,
+                       std::uint64_t& rays) const;
+    Color catcher_albedo(std::uint32_t mesh, bool front, const Vec3& position, const Vec3& normal) const;
+
+    struct CatcherSky {
+        Color front = Color::Zero(), back = Color::Zero();  ///< irradiance
+    };
 
     const Scene& scene_;
     const RenderOptions& options_;
-    std::vector<float> light_probability_;  ///< of choosing each light, by power
+    LightSet lights_;
+    std::vector<PreparedMaterial> materials_;  ///< by mesh
+    std::vector<CatcherSky> catcher_sky_;      ///< by mesh, of shadow catchers
     Color background_;
+    bool map_is_sampled_;
+    std::uint32_t usual_pairs_;
 };
 
 }  // namespace automorph::render

@@ -82,22 +82,21 @@ private:
         std::uint32_t good = 0;
         SampleNumbers::Prepared prepared;
         RayPacket packet;
-        packet.origin = camera_.origin();
         const auto spp = static_cast<std::uint32_t>(options_.spp);
         for (std::uint32_t first = 0; first < spp; first += static_cast<std::uint32_t>(RayPacket::kSize)) {
-            for (std::uint32_t pair = 0; pair < SampleNumbers::kPrepared; ++pair)
+            for (std::uint32_t pair = 0; pair < tracer_.usual_pairs(); ++pair)
                 random(first, pair, prepared[pair]);
             packet.count = std::min<std::size_t>(RayPacket::kSize, spp - first);
             for (std::size_t i = 0; i < packet.count; ++i) {
-                packet.directions[i] =
-                    camera_.direction(static_cast<float>(x) + 0.5f + filter_(prepared[0].u[i]),
-                                      static_cast<float>(y) + 0.5f + filter_(prepared[0].v[i]));
+                packet.rays[i] = {
+                    camera_.origin(),
+                    camera_.direction(static_cast<float>(x) + 0.5f + filter_(prepared[kPixel].u[i]),
+                                      static_cast<float>(y) + 0.5f + filter_(prepared[kPixel].v[i]))};
             }
             const auto hits = scene_.embree().intersect(packet);
             for (std::size_t i = 0; i < packet.count; ++i) {
-                const Color radiance =
-                    tracer_.radiance(packet.origin, packet.directions[i], hits[i],
-                                     SampleNumbers(random, prepared, first, i), counts.rays);
+                const SampleNumbers numbers(random, prepared, tracer_.usual_pairs(), first, i);
+                const Color radiance = tracer_.radiance(packet.rays[i], hits[i], numbers, counts.rays);
                 if (radiance.allFinite() && (radiance >= 0.0f).all()) {
                     sum += radiance.cast<double>();
                     ++good;

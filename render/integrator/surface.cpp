@@ -22,19 +22,28 @@ std::array<float, 3> barycentric(const std::array<Vec3, 3>& p, const Vec3& origi
 
 }  // namespace
 
-SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& origin, const Vec3& direction) {
+Vec3 geometric_normal(const TriangleMesh& mesh, std::uint32_t triangle) {
+    const std::array<Vec3, 3> p = mesh.corners(triangle);
+    const Vec3 area_normal = cross(Vec3(p[1] - p[0]), Vec3(p[2] - p[0]));
+    const float length2 = area_normal.squaredNorm();
+    return length2 > 0.0f ? Vec3(area_normal / std::sqrt(length2)) : Vec3::Zero();
+}
+
+SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Ray& ray) {
+    const Vec3& direction = ray.direction;
     const TriangleMesh& mesh = scene.mesh(static_cast<int>(hit.mesh));
     const std::array<Vec3, 3> p = mesh.corners(hit.triangle);
-    const std::array<float, 3> b = barycentric(p, origin, direction);
+    const std::array<float, 3> b = barycentric(p, ray.origin, direction);
 
     SurfacePoint point;
-    point.material = &scene.material(static_cast<int>(hit.mesh));
+    point.base_color = scene.material(static_cast<int>(hit.mesh)).base_color;
     point.position = b[0] * p[0] + b[1] * p[1] + b[2] * p[2];
     const Vec3 area_normal = cross(Vec3(p[1] - p[0]), Vec3(p[2] - p[0]));
     const float length2 = area_normal.squaredNorm();
     Vec3 ng = length2 > 0.0f ? Vec3(area_normal / std::sqrt(length2)) : Vec3(-direction);
     const float side = ng.dot(direction) > 0.0f ? -1.0f : 1.0f;
     ng *= side;
+    point.front = side > 0.0f;
     point.geometric_normal = ng;
     point.shading_normal = ng;
 
@@ -57,6 +66,7 @@ SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& origi
         }
     }
     point.ray_origin = lifted + mesh.ray_offset() * ng;
+    point.ray_origin_behind = point.position - mesh.ray_offset() * ng;
     return point;
 }
 

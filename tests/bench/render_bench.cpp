@@ -40,9 +40,9 @@ render::Scene make_scene(const BenchMeshes& meshes) {
     render::Scene scene;
     render::MeshOptions options;
     options.normals = render::Normals::Flat;
-    options.material.albedo.setConstant(0.7f);
+    options.material.base_color.setConstant(0.7f);
     scene.add_mesh(meshes.mesh.V, meshes.mesh.F, options);
-    options.material.albedo.setConstant(0.5f);
+    options.material.base_color.setConstant(0.5f);
     scene.add_mesh(meshes.ground.V, meshes.ground.F, options);
     scene.lights.push_back(
         render::square_light({2.0f, -2.0f, 3.5f}, {0, 0, 0}, 1.0f, render::Color::Constant(40.0f)));

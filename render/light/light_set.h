@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "render/light/light.h"
+#include "render/light/rectangle_light.h"
+#include "render/light/sky.h"
+#include "render/light/sphere_light.h"
+#include "render/math/vec.h"
+
+namespace automorph::render {
+
+/// All lights that are sampled: rectangles, spheres and the map of the sky. One of them is chosen at each lit
+/// point, by the irradiance that it could give there.
+class LightSet {
+public:
+    /// The lights must outlive this object.
+    LightSet(const std::vector<RectangleLight>& rectangles, const std::vector<SphereLight>& spheres,
+             const Sky& sky);
+
+    std::size_t size() const { return rectangles_.size() + spheres_.size() + (map_ != nullptr ? 1 : 0); }
+
+    /// A direction to a light, chosen by `choice`, sampled by (u, v), all in [0, 1). The density is that of
+    /// choice and direction. Empty where the chosen light does not shine.
+    std::optional<LightSample> sample(const Vec3& point, float choice, float u, float v) const;
+
+    /// Radiance of the rectangles and spheres that a ray meets before `far`, each times weight(light, density
+    /// of sample() at the ray's origin). They block nothing, so all of them count.
+    template <class Weight>
+    Color met(const Vec3& origin, const Vec3& direction, float far, const Weight& weight) const {
+        Color sum = Color::Zero();
+        std::size_t index = 0;
+        const auto add = [&](const auto& light) {
+            const std::optional<LightHit> hit = intersect(light, origin, direction);
+            if (hit && hit->distance < far)
+                sum += weight(light, probability(index, origin) * hit->pdf) * light.radiance;
+            ++index;
+        };
+        for (const RectangleLight& light : rectangles_) add(light);
+        for (const SphereLight& light : spheres_) add(light);
+        return sum;
+    }
+
+    /// Density of sample() at `point` for a direction in which the map of the sky is seen.
+    float map_pdf(const Vec3& point, const Vec3& direction) const {
+        return probability(size() - 1, point) * map_->pdf(direction);
+    }
+
+    /// Irradiance of rectangles and spheres without anything between.
+    Color irradiance(const Vec3& point, const Vec3& normal) const;
+
+private:
+    float strength(std::size_t light, const Vec3& point) const;
+    float probability(std::size_t light, const Vec3& point) const;
+
+    const std::vector<RectangleLight>& rectangles_;
+    const std::vector<SphereLight>& spheres_;
+    const EquirectangularMap* map_;  ///< null without one
+};
+
+}  // namespace automorph::render
