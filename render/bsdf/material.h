@@ -11,12 +11,12 @@ namespace automorph::render {
 struct Material {
     Color base_color{0.7f, 0.7f, 0.7f};  ///< in [0, 1]: albedo of the body, reflectance of metal at normal
                                          ///< incidence, tint of what passes through glass and out again
-    float metallic = 0.0f;      ///< share of metal, in [0, 1]
-    float transmission = 0.0f;  ///< share of glass in what is not metal, in [0, 1]
-    float roughness = 0.5f;     ///< of metal, glass and coat, in [0, 1]; alpha of GGX is its square. Below
-                                ///< 0.03 metal and coat are taken as 0.03, glass as perfectly smooth
-    float specular = 0.0f;      ///< weight of the coat's reflection, in [0, 1]; 0: diffuse, 1: plastic
-    float ior = 1.5f;           ///< refractive index of glass and coat, >= 1
+    float metallic = 0.0f;               ///< share of metal, in [0, 1]
+    float transmission = 0.0f;           ///< share of glass in what is not metal, in [0, 1]
+    float roughness = 0.5f;  ///< of metal, glass and coat, in [0, 1]; alpha of GGX is its square. Below
+                             ///< 0.03 metal and coat are taken as 0.03, glass as perfectly smooth
+    float specular = 0.0f;   ///< weight of the coat's reflection, in [0, 1]; 0: diffuse, 1: plastic
+    float ior = 1.5f;        ///< refractive index of glass and coat, >= 1
     Color edge_color{1.0f, 1.0f,
                      1.0f};            ///< reflectance of metal at grazing incidence (Schlick's Fresnel term)
     Color emission{0.0f, 0.0f, 0.0f};  ///< radiance; found by camera and scattered rays only: for large faint

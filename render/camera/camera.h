@@ -29,7 +29,7 @@ public:
     /// Unit direction of the ray from `origin()` through the picture point (x, y) in pixels.
     Vec3 direction(float x, float y) const {
         const Vec3 through = corner_ + x * step_x_ + y * step_y_;
-        return through / std::sqrt(through.squaredNorm());
+        return 1.0f / std::sqrt(through.squaredNorm()) * through;
     }
 
     /// Picture point (pixels) of a world point; empty when it is not in front of the camera.

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "render/integrator/surface.h"
-
 namespace automorph::render {
 namespace {
 
@@ -30,8 +28,19 @@ Vec3 towards(const Vec3& normal, const Vec3& eye) {
 // A scattering vertex: where it is, and its BSDF in the local shading frame.
 struct PathTracer::Vertex {
     SurfacePoint surface;
+    const PreparedMaterial& material;
     Frame frame;
     Bsdf bsdf;
+
+    Vertex(const PathTracer& tracer, const Ray& ray, const Hit& hit, int depth)
+        : surface(surface_point(tracer.scene_, hit, ray)),
+          material(tracer.materials_[hit.mesh]),
+          frame(material.diffuse ? surface.shading_normal : towards(surface.shading_normal, -ray.direction)),
+          bsdf(material, surface.base_color,
+               material.diffuse ? Vec3(0, 0, 1) : frame.to_local(-ray.direction), surface.front) {
+        if (depth == 0 && material.material.shadow_catcher)
+            bsdf = Bsdf::diffuse(tracer.catcher_albedo(hit.mesh, surface));
+    }
 };
 
 PathTracer::PathTracer(const Scene& scene, const RenderOptions& options)
@@ -93,29 +102,12 @@ Color PathTracer::direct_light(const Vertex& vertex, float choice, Sample2 place
 }
 
 // The albedo with which an unshadowed ground has exactly the background's radiance.
-Color PathTracer::catcher_albedo(std::uint32_t mesh, bool front, const Vec3& position,
-                                 const Vec3& normal) const {
+Color PathTracer::catcher_albedo(std::uint32_t mesh, const SurfacePoint& surface) const {
     const Color background = scene_.background ? background_ : scene_.sky.radiance;
     const CatcherSky& sky = catcher_sky_[mesh];
-    const Color sum = (front ? sky.front : sky.back) + lights_.irradiance(position, normal);
+    const Color sum =
+        (surface.front ? sky.front : sky.back) + lights_.irradiance(surface.position, surface.shading_normal);
     return (sum > 0.0f).select(kPi * background / sum, 0.0f);
-}
-
-PathTracer::Vertex PathTracer::vertex(const Ray& ray, const Hit& hit, int depth) const {
-    const SurfacePoint surface = surface_point(scene_, hit, ray);
-    const PreparedMaterial& material = materials_[hit.mesh];
-    if (depth == 0 && material.material.shadow_catcher) {
-        const Color albedo =
-            catcher_albedo(hit.mesh, surface.front, surface.position, surface.shading_normal);
-        return {surface, Frame(surface.shading_normal), Bsdf::diffuse(albedo)};
-    }
-    if (material.diffuse) {
-        return {surface, Frame(surface.shading_normal),
-                Bsdf(material, surface.base_color, {0, 0, 1}, surface.front)};
-    }
-    const Frame frame(towards(surface.shading_normal, -ray.direction));
-    return {surface, frame,
-            Bsdf(material, surface.base_color, frame.to_local(-ray.direction), surface.front)};
 }
 
 Color PathTracer::radiance(Ray ray, std::optional<Hit> hit, const SampleNumbers& random,
@@ -132,7 +124,7 @@ Color PathTracer::radiance(Ray ray, std::optional<Hit> hit, const SampleNumbers&
         sum += throughput * materials_[hit->mesh].material.emission;
         if (depth == options_.max_scatter) return sum;
 
-        const Vertex v = vertex(ray, *hit, depth);
+        const Vertex v(*this, ray, *hit, depth);
         const auto pair = [&](Pair which) {
             return random(static_cast<std::uint32_t>(depth) * kPairsPerVertex + which);
         };

@@ -9,6 +9,7 @@
 #include "render/geometry/scene.h"
 #include "render/integrator/render.h"
 #include "render/integrator/sample_numbers.h"
+#include "render/integrator/surface.h"
 #include "render/light/light_set.h"
 #include "render/math/ray.h"
 #include "render/math/vec.h"
@@ -31,13 +32,12 @@ public:
 
 private:
     struct Vertex;
-    Vertex vertex(const Ray& ray, const Hit& hit, int depth) const;
     float found_weight(int depth, float bsdf_pdf, float light_pdf) const;
     Color light_on_the_way(const Ray& ray, float far, int depth, float bsdf_pdf) const;
     Color sky(const Ray& ray, int depth, float bsdf_pdf) const;
     Color direct_light(const Vertex& vertex, float choice, Sample2 place, float time,
                        std::uint64_t& rays) const;
-    Color catcher_albedo(std::uint32_t mesh, bool front, const Vec3& position, const Vec3& normal) const;
+    Color catcher_albedo(std::uint32_t mesh, const SurfacePoint& surface) const;
 
     struct CatcherSky {
         Color front = Color::Zero(), back = Color::Zero();  ///< irradiance

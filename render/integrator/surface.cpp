@@ -15,8 +15,9 @@ std::array<float, 3> barycentric(const std::array<Vec3, 3>& p, const Vec3& origi
     const Vec3 a = cross(direction, e2), b = cross(t, e1);
     const float determinant = e1.dot(a);
     if (determinant == 0.0f) return {1.0f, 0.0f, 0.0f};
-    const float v = std::clamp(t.dot(a) / determinant, 0.0f, 1.0f);
-    const float w = std::clamp(direction.dot(b) / determinant, 0.0f, 1.0f - v);
+    const float inverse = 1.0f / determinant;
+    const float v = std::clamp(t.dot(a) * inverse, 0.0f, 1.0f);
+    const float w = std::clamp(direction.dot(b) * inverse, 0.0f, 1.0f - v);
     return {1.0f - v - w, v, w};
 }
 
@@ -40,7 +41,7 @@ SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Ray& ray) {
     point.position = b[0] * p[0] + b[1] * p[1] + b[2] * p[2];
     const Vec3 area_normal = cross(Vec3(p[1] - p[0]), Vec3(p[2] - p[0]));
     const float length2 = area_normal.squaredNorm();
-    Vec3 ng = length2 > 0.0f ? Vec3(area_normal / std::sqrt(length2)) : Vec3(-direction);
+    Vec3 ng = length2 > 0.0f ? Vec3(1.0f / std::sqrt(length2) * area_normal) : Vec3(-direction);
     const float side = ng.dot(direction) > 0.0f ? -1.0f : 1.0f;
     ng *= side;
     point.front = side > 0.0f;

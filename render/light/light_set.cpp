@@ -9,7 +9,8 @@ LightSet::LightSet(const std::vector<RectangleLight>& rectangles, const std::vec
                    const Sky& sky)
     : rectangles_(rectangles),
       spheres_(spheres),
-      map_(sky.map && sky.map->power() > 0.0f ? sky.map.get() : nullptr) {}
+      map_(sky.map && sky.map->power() > 0.0f ? sky.map.get() : nullptr),
+      size_(rectangles.size() + spheres.size() + (map_ != nullptr ? 1 : 0)) {}
 
 // What a light could give a surface at `point` that faces it: a rough measure, but zero only where it gives
 // nothing.
@@ -33,14 +34,13 @@ float LightSet::strength(std::size_t light, const Vec3& point) const {
     return 0.5f * map_->power();  // about half of the sky is in front of a surface
 }
 
-float LightSet::probability(std::size_t light, const Vec3& point) const {
-    if (size() == 1) return 1.0f;
+float LightSet::shared_probability(std::size_t light, const Vec3& point) const {
     float sum = 0.0f;
     for (std::size_t i = 0; i < size(); ++i) sum += strength(i, point);
     return sum > 0.0f ? strength(light, point) / sum : 0.0f;
 }
 
-std::optional<LightSample> LightSet::sample(const Vec3& point, float choice, float u, float v) const {
+std::optional<LightSample> LightSet::sample_any(const Vec3& point, float choice, float u, float v) const {
     std::size_t chosen = 0;
     float probability = 1.0f;
     if (size() > 1) {

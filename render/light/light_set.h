@@ -21,11 +21,15 @@ public:
     LightSet(const std::vector<RectangleLight>& rectangles, const std::vector<SphereLight>& spheres,
              const Sky& sky);
 
-    std::size_t size() const { return rectangles_.size() + spheres_.size() + (map_ != nullptr ? 1 : 0); }
+    std::size_t size() const { return size_; }
 
     /// A direction to a light, chosen by `choice`, sampled by (u, v), all in [0, 1). The density is that of
     /// choice and direction. Empty where the chosen light does not shine.
-    std::optional<LightSample> sample(const Vec3& point, float choice, float u, float v) const;
+    std::optional<LightSample> sample(const Vec3& point, float choice, float u, float v) const {
+        // The usual case, worth a short cut.
+        if (size_ == 1 && !rectangles_.empty()) return render::sample(rectangles_.front(), point, u, v);
+        return sample_any(point, choice, u, v);
+    }
 
     /// Radiance of the rectangles and spheres that a ray meets before `far`, each times weight(light, density
     /// of sample() at the ray's origin). They block nothing, so all of them count.
@@ -53,12 +57,17 @@ public:
     Color irradiance(const Vec3& point, const Vec3& normal) const;
 
 private:
+    std::optional<LightSample> sample_any(const Vec3& point, float choice, float u, float v) const;
     float strength(std::size_t light, const Vec3& point) const;
-    float probability(std::size_t light, const Vec3& point) const;
+    float probability(std::size_t light, const Vec3& point) const {
+        return size_ == 1 ? 1.0f : shared_probability(light, point);
+    }
+    float shared_probability(std::size_t light, const Vec3& point) const;
 
     const std::vector<RectangleLight>& rectangles_;
     const std::vector<SphereLight>& spheres_;
     const EquirectangularMap* map_;  ///< null without one
+    std::size_t size_;
 };
 
 }  // namespace automorph::render

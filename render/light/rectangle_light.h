@@ -29,7 +29,7 @@ inline std::optional<LightSample> sample(const RectangleLight& light, const Vec3
     const float facing = -to_light.dot(area_normal);  // area * distance * cosine at the light
     if (!(facing > 0.0f)) return std::nullopt;
     const float distance = std::sqrt(distance2);
-    return LightSample{to_light, to_light / distance, light.radiance, distance2 * distance / facing};
+    return LightSample{to_light, 1.0f / distance * to_light, light.radiance, distance2 * distance / facing};
 }
 
 /// @pre `direction` is a unit vector
