@@ -68,20 +68,22 @@ float PathTracer::found_weight(int depth, float bsdf_pdf, float light_pdf) const
 }
 
 // Light of rectangles and spheres between the ray's origin and `far`.
-Color PathTracer::light_on_the_way(const Ray& ray, float far, int depth, float bsdf_pdf) const {
-    return lights_.met(ray.origin, ray.direction, far, [&](const auto& light, float light_pdf) {
+Color PathTracer::light_on_the_way(const Ray& ray, const Vec3& normal, float far, int depth,
+                                   float bsdf_pdf) const {
+    return lights_.met({ray.origin, normal}, ray.direction, far, [&](const auto& light, float light_pdf) {
         if (depth == 0 && !light.visible_to_camera) return 0.0f;
         return found_weight(depth, bsdf_pdf, light_pdf);
     });
 }
 
-Color PathTracer::sky(const Ray& ray, int depth, float bsdf_pdf) const {
+Color PathTracer::sky(const Ray& ray, const Vec3& normal, int depth, float bsdf_pdf) const {
     if (depth == 0 && scene_.background) return background_;
     const Color smooth = scene_.sky.smooth(ray.direction);
     if (!map_is_sampled_) return smooth;
-    const float weight = depth == 0 || std::isinf(bsdf_pdf)
-                             ? 1.0f
-                             : found_weight(depth, bsdf_pdf, lights_.map_pdf(ray.origin, ray.direction));
+    const float weight =
+        depth == 0 || std::isinf(bsdf_pdf)
+            ? 1.0f
+            : found_weight(depth, bsdf_pdf, lights_.map_pdf({ray.origin, normal}, ray.direction));
     return smooth + weight * (*scene_.sky.map)(ray.direction);
 }
 
@@ -89,7 +91,8 @@ Color PathTracer::sky(const Ray& ray, int depth, float bsdf_pdf) const {
 Color PathTracer::direct_light(const Vertex& vertex, float choice, Sample2 place, float time,
                                std::uint64_t& rays) const {
     const Vec3& from = vertex.surface.ray_origin;
-    const std::optional<LightSample> light = lights_.sample(from, choice, place.u, place.v);
+    const std::optional<LightSample> light =
+        lights_.sample({from, vertex.frame.normal}, choice, place.u, place.v);
     if (!light) return Color::Zero();
     const Vec3 wi = vertex.frame.to_local(light->wi);
     const BsdfValue value = vertex.bsdf.evaluate(wi);
@@ -114,13 +117,14 @@ Color PathTracer::radiance(Ray ray, std::optional<Hit> hit, const SampleNumbers&
                            std::uint64_t& rays) const {
     Color sum = Color::Zero();
     Color throughput = Color::Ones();
-    float bsdf_pdf = 0.0f;  // of the ray's direction
-    float density = 1.0f;   // of the medium, squared index: what refraction took from the throughput
+    Vec3 normal = Vec3::Zero();  // where the ray starts
+    float bsdf_pdf = 0.0f;       // of the ray's direction
+    float density = 1.0f;        // of the medium, squared index: what refraction took from the throughput
     for (int depth = 0;; ++depth) {
         ++rays;
         if (depth > 0) hit = scene_.embree().intersect(ray, kInfinity);
-        sum += throughput * light_on_the_way(ray, hit ? hit->distance : kInfinity, depth, bsdf_pdf);
-        if (!hit) return sum + throughput * sky(ray, depth, bsdf_pdf);
+        sum += throughput * light_on_the_way(ray, normal, hit ? hit->distance : kInfinity, depth, bsdf_pdf);
+        if (!hit) return sum + throughput * sky(ray, normal, depth, bsdf_pdf);
         sum += throughput * materials_[hit->mesh].material.emission;
         if (depth == options_.max_scatter) return sum;
 
@@ -145,6 +149,7 @@ Color PathTracer::radiance(Ray ray, std::optional<Hit> hit, const SampleNumbers&
             throughput /= survival;
         }
         bsdf_pdf = scattered->pdf;
+        normal = v.frame.normal;
         ray.direction = v.frame.to_world(scattered->wi);
         if (scattered->wi.z() > 0.0f) {
             ray.origin = v.surface.ray_origin;

@@ -13,6 +13,12 @@
 
 namespace automorph::render {
 
+/// A place that is lit.
+struct LitPoint {
+    Vec3 position;
+    Vec3 normal;  ///< unit, of shading
+};
+
 /// All lights that are sampled: rectangles, spheres and the map of the sky. One of them is chosen at each lit
 /// point, by the irradiance that it could give there.
 class LightSet {
@@ -25,20 +31,21 @@ public:
 
     /// A direction to a light, chosen by `choice`, sampled by (u, v), all in [0, 1). The density is that of
     /// choice and direction. Empty where the chosen light does not shine.
-    std::optional<LightSample> sample(const Vec3& point, float choice, float u, float v) const {
+    std::optional<LightSample> sample(const LitPoint& point, float choice, float u, float v) const {
         // The usual case, worth a short cut.
-        if (size_ == 1 && !rectangles_.empty()) return render::sample(rectangles_.front(), point, u, v);
+        if (size_ == 1 && !rectangles_.empty())
+            return render::sample(rectangles_.front(), point.position, u, v);
         return sample_any(point, choice, u, v);
     }
 
     /// Radiance of the rectangles and spheres that a ray meets before `far`, each times weight(light, density
     /// of sample() at the ray's origin). They block nothing, so all of them count.
     template <class Weight>
-    Color met(const Vec3& origin, const Vec3& direction, float far, const Weight& weight) const {
+    Color met(const LitPoint& origin, const Vec3& direction, float far, const Weight& weight) const {
         Color sum = Color::Zero();
         std::size_t index = 0;
         const auto add = [&](const auto& light) {
-            const std::optional<LightHit> hit = intersect(light, origin, direction);
+            const std::optional<LightHit> hit = intersect(light, origin.position, direction);
             if (hit && hit->distance < far)
                 sum += weight(light, probability(index, origin) * hit->pdf) * light.radiance;
             ++index;
@@ -49,7 +56,7 @@ public:
     }
 
     /// Density of sample() at `point` for a direction in which the map of the sky is seen.
-    float map_pdf(const Vec3& point, const Vec3& direction) const {
+    float map_pdf(const LitPoint& point, const Vec3& direction) const {
         return probability(size() - 1, point) * map_->pdf(direction);
     }
 
@@ -57,12 +64,12 @@ public:
     Color irradiance(const Vec3& point, const Vec3& normal) const;
 
 private:
-    std::optional<LightSample> sample_any(const Vec3& point, float choice, float u, float v) const;
-    float strength(std::size_t light, const Vec3& point) const;
-    float probability(std::size_t light, const Vec3& point) const {
+    std::optional<LightSample> sample_any(const LitPoint& point, float choice, float u, float v) const;
+    float strength(std::size_t light, const LitPoint& point) const;
+    float probability(std::size_t light, const LitPoint& point) const {
         return size_ == 1 ? 1.0f : shared_probability(light, point);
     }
-    float shared_probability(std::size_t light, const Vec3& point) const;
+    float shared_probability(std::size_t light, const LitPoint& point) const;
 
     const std::vector<RectangleLight>& rectangles_;
     const std::vector<SphereLight>& spheres_;

@@ -157,16 +157,17 @@ TEST_CASE("a set of lights is sampled with the density it states") {
     const std::vector<RectangleLight> rectangles{near_rectangle(), behind};
     const std::vector<SphereLight> spheres{{{-0.5f, -1.0f, 0.4f}, 0.9f, Color::Constant(40.0f), true}};
     const LightSet set(rectangles, spheres, sky);
+    const LitPoint lit{point, Vec3(0.6f, 0.0f, 0.8f)};
     CHECK(set.size() == 4);
     check_sampler(
-        "set", [&](float choice, float u, float v) { return set.sample(point, choice, u, v); },
+        "set", [&](float choice, float u, float v) { return set.sample(lit, choice, u, v); },
         [&](const Vec3& w) {
-            float sum = set.map_pdf(point, w);
+            float sum = set.map_pdf(lit, w);
             const auto add = [&](const auto&, float pdf) {
                 sum += pdf;
                 return 0.0f;
             };
-            set.met(point, w, 1e30f, add);
+            set.met(lit, w, 1e30f, add);
             return sum;
         });
 }
