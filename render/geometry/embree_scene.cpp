@@ -123,6 +123,7 @@ struct EmbreeScene::State {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     std::vector<RTCGeometry> geometries;  // by mesh number, null without triangles; owned by the scene
+    std::vector<unsigned> time_steps;     // by mesh number
     std::mutex mutex;                     // builds report errors from any thread
     std::string error;                    // the first one since the last check
     bool refit = false;
@@ -169,11 +170,19 @@ EmbreeScene::~EmbreeScene() = default;
 void EmbreeScene::attach(std::uint32_t id, const TriangleMesh& mesh) {
     State& state = *state_;
     state.changed = true;
-    if (state.geometries.size() <= id) state.geometries.resize(id + 1, nullptr);
+    if (state.geometries.size() <= id) {
+        state.geometries.resize(id + 1, nullptr);
+        state.time_steps.resize(id + 1, 1);
+    }
+    state.time_steps[id] = static_cast<unsigned>(mesh.time_steps());
     if (mesh.triangle_count() == 0) return;
     RTCGeometry geometry = rtcNewGeometry(state.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions(), 0,
-                               3 * sizeof(float), static_cast<std::size_t>(mesh.vertex_count()));
+    rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(mesh.time_steps()));
+    for (int step = 0; step < mesh.time_steps(); ++step) {
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, static_cast<unsigned>(step),
+                                   RTC_FORMAT_FLOAT3, mesh.positions(step), 0, 3 * sizeof(float),
+                                   static_cast<std::size_t>(mesh.vertex_count()));
+    }
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.indices(), 0,
                                3 * sizeof(std::uint32_t), static_cast<std::size_t>(mesh.triangle_count()));
     if (state.refit) rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);
@@ -189,7 +198,8 @@ void EmbreeScene::moved(std::uint32_t id) {
     state.changed = true;
     RTCGeometry geometry = state.geometries[id];
     if (geometry == nullptr) return;
-    rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+    for (unsigned step = 0; step < state.time_steps[id]; ++step)
+        rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, step);
     rtcCommitGeometry(geometry);
     state.check("move a mesh");
 }

@@ -27,6 +27,9 @@ struct SceneOptions {
 struct MeshOptions {
     Normals normals = Normals::Smooth;
     Material material;
+    /// 1: at rest during the exposure; n: move_mesh() takes the vertices at n moments from its begin to its
+    /// end.
+    int time_steps = 1;
     Points vertex_normals;  ///< #V x 3, optional: used instead of area-weighted ones where normals are Smooth
 };
 
@@ -47,6 +50,13 @@ public:
     /// Gives mesh `mesh` new vertices (#V as before); smooth normals are computed anew.
     /// @throws InvalidMesh if the number of vertices differs
     void move_mesh(int mesh, const Points& V);
+
+    /// The same for each time step of the exposure: blurred by the motion.
+    /// @throws InvalidMesh if the number of vertices or of steps differs
+    void move_mesh(int mesh, const std::vector<Points>& steps);
+
+    /// Whether any mesh moves during the exposure.
+    bool has_motion() const;
 
     void set_material(int mesh, const Material& material);
 

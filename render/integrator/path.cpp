@@ -113,8 +113,8 @@ Color PathTracer::catcher_albedo(std::uint32_t mesh, const SurfacePoint& surface
     return (sum > 0.0f).select(kPi * background / sum, 0.0f);
 }
 
-Color PathTracer::radiance(Ray ray, std::optional<Hit> hit, const SampleNumbers& random,
-                           std::uint64_t& rays) const {
+Color PathTracer::radiance(Ray ray, std::optional<Hit> hit, const SampleNumbers& random, std::uint64_t& rays,
+                           FirstSurface* first) const {
     Color sum = Color::Zero();
     Color throughput = Color::Ones();
     Vec3 normal = Vec3::Zero();  // where the ray starts
@@ -129,6 +129,8 @@ Color PathTracer::radiance(Ray ray, std::optional<Hit> hit, const SampleNumbers&
         if (depth == options_.max_scatter) return sum;
 
         const Vertex v(*this, ray, *hit, depth);
+        if (depth == 0 && first != nullptr)
+            *first = {v.surface.base_color, v.surface.shading_normal, v.surface.geometric_normal};
         const auto pair = [&](Pair which) {
             return random(static_cast<std::uint32_t>(depth) * kPairsPerVertex + which);
         };

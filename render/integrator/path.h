@@ -16,6 +16,12 @@
 
 namespace automorph::render {
 
+/// What a camera ray meets first.
+struct FirstSurface {
+    Color albedo = Color::Zero();
+    Vec3 shading_normal = Vec3::Zero(), geometric_normal = Vec3::Zero();
+};
+
 /// What all paths of a picture share.
 class PathTracer {
 public:
@@ -24,8 +30,10 @@ public:
     PathTracer(const Scene& scene, const RenderOptions& options);
 
     /// Radiance along a camera ray with known first hit: one sample of the path integral. Thread-safe.
-    /// @param rays  counts the rays traced
-    Color radiance(Ray ray, std::optional<Hit> hit, const SampleNumbers& random, std::uint64_t& rays) const;
+    /// @param rays   counts the rays traced
+    /// @param first  takes the first surface, if not null and if there is one
+    Color radiance(Ray ray, std::optional<Hit> hit, const SampleNumbers& random, std::uint64_t& rays,
+                   FirstSurface* first) const;
 
     /// How many of the first pairs of random numbers most paths take.
     std::uint32_t usual_pairs() const { return usual_pairs_; }

@@ -36,7 +36,8 @@ public:
         : pixel_(pixel), prepared_(prepared), count_(count), first_(first), offset_(offset) {}
 
     Sample2 operator()(std::uint32_t pair) const {
-        if (pair < count_) return {prepared_[pair].u[offset_], prepared_[pair].v[offset_]};
+        if (pair < count_ && pair < kPrepared)
+            return {prepared_[pair].u[offset_], prepared_[pair].v[offset_]};
         return pixel_(first_ + static_cast<std::uint32_t>(offset_), pair);
     }
 

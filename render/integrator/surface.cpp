@@ -24,7 +24,7 @@ std::array<float, 3> barycentric(const std::array<Vec3, 3>& p, const Vec3& origi
 }  // namespace
 
 Vec3 geometric_normal(const TriangleMesh& mesh, std::uint32_t triangle) {
-    const std::array<Vec3, 3> p = mesh.corners(triangle);
+    const std::array<Vec3, 3> p = mesh.corners(triangle, 0.0f);
     const Vec3 area_normal = cross(Vec3(p[1] - p[0]), Vec3(p[2] - p[0]));
     const float length2 = area_normal.squaredNorm();
     return length2 > 0.0f ? Vec3(area_normal / std::sqrt(length2)) : Vec3::Zero();
@@ -33,7 +33,7 @@ Vec3 geometric_normal(const TriangleMesh& mesh, std::uint32_t triangle) {
 SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Ray& ray) {
     const Vec3& direction = ray.direction;
     const TriangleMesh& mesh = scene.mesh(static_cast<int>(hit.mesh));
-    const std::array<Vec3, 3> p = mesh.corners(hit.triangle);
+    const std::array<Vec3, 3> p = mesh.corners(hit.triangle, ray.time);
     const std::array<float, 3> b = barycentric(p, ray.origin, direction);
 
     SurfacePoint point;
@@ -50,7 +50,7 @@ SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Ray& ray) {
 
     Vec3 lifted = point.position;
     if (mesh.smooth()) {
-        const std::array<Vec3, 3> n = mesh.corner_normals(hit.triangle);
+        const std::array<Vec3, 3> n = mesh.corner_normals(hit.triangle, ray.time);
         const Vec3 sum = side * (b[0] * n[0] + b[1] * n[1] + b[2] * n[2]);
         const float sum2 = sum.squaredNorm();
         if (sum2 > 0.0f) {

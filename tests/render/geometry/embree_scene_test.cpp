@@ -110,9 +110,9 @@ TEST_CASE("given normals are normalised and stay when vertices move, computed on
     Points V = cube.V;
     V.col(2) *= 3.0;
     TriangleMesh given(cube.V, cube.F, Normals::Smooth, Points::Constant(8, 3, 5.0));
-    given.move(V);
+    given.move({V});
     CHECK((given.corner_normals(0)[0] - Vec3::Ones().normalized()).norm() < 1e-6f);
     TriangleMesh computed(cube.V, cube.F, Normals::Smooth);
-    computed.move(-cube.V);
+    computed.move({Points(-cube.V)});
     CHECK((computed.corner_normals(0)[0] - computed.corners(0)[0].normalized()).norm() > 1.0f);
 }

@@ -202,7 +202,7 @@ TEST_CASE("a shadow catcher has the background's radiance but for the shadow") {
     const Image shadowed = render::render(scene, camera, options).image;
     // A black sphere only takes light away; its shadow reaches left behind it.
     for (std::size_t i = 0; i < empty.pixels.size(); ++i) CHECK(shadowed.pixels[i] < 1.02f * empty.pixels[i]);
-    const PinholeCamera pinhole(camera, options.width, options.height);
+    const PictureCamera pinhole(camera, options.width, options.height);
     const Eigen::Vector2d p = pinhole.project({-0.45, 0.3, 0.0}).value();
     CHECK(shadowed.at(static_cast<int>(p.x()), static_cast<int>(p.y()))[0] < 0.6f);
 }
