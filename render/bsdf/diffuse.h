@@ -10,9 +10,11 @@ namespace automorph::render {
 
 /// A direction sampled by a BSDF, in the local shading frame (z along the normal).
 struct BsdfSample {
-    Vec3 wi;       ///< unit, towards the light
-    Color weight;  ///< f cos / pdf
-    float pdf;     ///< per solid angle
+    Vec3 wi;               ///< unit, towards the light
+    Color weight;          ///< f cos / pdf
+    float pdf;             ///< per solid angle; infinite if the direction is the only one
+    float density = 1.0f;  ///< square of the refractive index crossed: what refraction took from `weight` by
+                           ///< spreading light and gives back on leaving
 };
 
 /// Lambertian reflection f = albedo / pi on the side z > 0. All directions are unit vectors in the local

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "morph/mesh/errors.h"
+#include "render/math/disk.h"
 
 namespace automorph::render {
 namespace {
@@ -14,7 +15,7 @@ constexpr double kLeastSine = 1e-6;  // between view and up: below, the horizon 
 
 }  // namespace
 
-PinholeCamera::PinholeCamera(const Camera& camera, int width, int height) : position_(camera.position) {
+PictureCamera::PictureCamera(const Camera& camera, int width, int height) : position_(camera.position) {
     if (width <= 0 || height <= 0) {
         throw ConfigError(
             fmt::format("camera: the picture is {} x {} pixels; give positive sizes", width, height));
@@ -34,6 +35,11 @@ PinholeCamera::PinholeCamera(const Camera& camera, int width, int height) : posi
     if (!(side.norm() > kLeastSine * camera.up.norm())) {
         throw ConfigError("camera: the up vector is zero or along the view; give another one");
     }
+    if (!(camera.lens_radius >= 0.0 && std::isfinite(camera.lens_radius) && camera.focus_distance >= 0.0 &&
+          std::isfinite(camera.focus_distance))) {
+        throw ConfigError(fmt::format("camera: lens radius {} and focus distance {}; neither may be negative",
+                                      camera.lens_radius, camera.focus_distance));
+    }
     half_width_ = 0.5 * width;
     half_height_ = 0.5 * height;
     const double half = std::tan(0.5 * camera.vertical_fov * kRadians);
@@ -45,9 +51,20 @@ PinholeCamera::PinholeCamera(const Camera& camera, int width, int height) : posi
     corner_ = (forward_ - right_ + up_).cast<float>();
     step_x_ = (right_ / half_width_).cast<float>();
     step_y_ = (-up_ / half_height_).cast<float>();
+    lens_right_ = right.cast<float>();
+    lens_up_ = (up_ / half).cast<float>();
+    lens_radius_ = static_cast<float>(camera.lens_radius);
+    focus_distance_ = static_cast<float>(camera.focus_distance > 0.0 ? camera.focus_distance : view.norm());
 }
 
-std::optional<Eigen::Vector2d> PinholeCamera::project(const Eigen::Vector3d& point) const {
+Ray PictureCamera::lens_ray(float x, float y, float u, float v) const {
+    const Vec3 sharp = focus_distance_ * (corner_ + x * step_x_ + y * step_y_);  // from the lens's middle
+    const Eigen::Vector2f disk = lens_radius_ * sample_disk(u, v);
+    const Vec3 start = disk.x() * lens_right_ + disk.y() * lens_up_;
+    return {origin_ + start, (sharp - start).normalized()};
+}
+
+std::optional<Eigen::Vector2d> PictureCamera::project(const Eigen::Vector3d& point) const {
     const Eigen::Vector3d d = point - position_;
     const double depth = d.dot(forward_);
     if (!(depth > 0.0)) return std::nullopt;

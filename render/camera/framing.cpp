@@ -42,7 +42,7 @@ Framing::Framing(const FramingOptions& options)
     probe.target = options.direction;
     probe.up = options.up;
     probe.vertical_fov = options.vertical_fov;
-    PinholeCamera(probe, 1, 1);  // throws for what is not a camera
+    PictureCamera(probe, 1, 1);  // throws for what is not a camera
 
     forward_ = options.direction.normalized();
     right_ = cross(forward_, options.up).normalized();

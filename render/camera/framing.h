@@ -23,7 +23,7 @@ struct FramingOptions {
 /// rows. In the direction that does not decide the distance, the free space is shared between both sides.
 class Framing {
 public:
-    /// @throws ConfigError as PinholeCamera does, or if aspect <= 0 or margin is outside [0, 1)
+    /// @throws ConfigError as PictureCamera does, or if aspect <= 0 or margin is outside [0, 1)
     explicit Framing(const FramingOptions& options);
 
     /// Takes in the vertices of a frame (#V x 3); rows that are not finite are left out.

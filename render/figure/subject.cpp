@@ -34,7 +34,7 @@ Subject::Subject(const Shooting& shooting, const Points& V, const Triangles& F)
     : shooting_(shooting), scene_({.embree_config = shooting.options.embree_config, .refit = false}) {
     render::MeshOptions surface;
     surface.normals = shooting.picture.normals;
-    surface.material.albedo = color(shooting.picture.albedo);
+    surface.material.base_color = color(shooting.picture.albedo);
     mesh_ = scene_.add_mesh(V, F, surface);
     render::add_studio(scene_, shooting.camera, shooting.bounds,
                        {color(shooting.picture.background), shooting.picture.ground});

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <mutex>
 #include <vector>
 
@@ -53,16 +54,16 @@ const char* name(RTCError code) {
     }
 }
 
-RTCRay make_ray(const Vec3& origin, const Vec3& direction, float far) {
+RTCRay make_ray(const Ray& from, float far) {
     RTCRay ray;
-    ray.org_x = origin.x();
-    ray.org_y = origin.y();
-    ray.org_z = origin.z();
+    ray.org_x = from.origin.x();
+    ray.org_y = from.origin.y();
+    ray.org_z = from.origin.z();
     ray.tnear = 0.0f;
-    ray.dir_x = direction.x();
-    ray.dir_y = direction.y();
-    ray.dir_z = direction.z();
-    ray.time = 0.0f;
+    ray.dir_x = from.direction.x();
+    ray.dir_y = from.direction.y();
+    ray.dir_z = from.direction.z();
+    ray.time = from.time;
     ray.tfar = far;
     ray.mask = ~0u;
     ray.id = 0;
@@ -72,12 +73,20 @@ RTCRay make_ray(const Vec3& origin, const Vec3& direction, float far) {
 
 // The one place where the query calls of Embree 3 and 4 differ.
 #if RTC_VERSION_MAJOR >= 4
-void trace(RTCScene scene, RTCRayHit& ray, bool coherent) {
+void trace(RTCScene scene, RTCRayHit& ray) {
     RTCIntersectArguments arguments;
     rtcInitIntersectArguments(&arguments);
-    arguments.flags = coherent ? RTC_RAY_QUERY_FLAG_COHERENT : RTC_RAY_QUERY_FLAG_INCOHERENT;
+    arguments.flags = RTC_RAY_QUERY_FLAG_INCOHERENT;
     arguments.feature_mask = RTC_FEATURE_FLAG_TRIANGLE;
     rtcIntersect1(scene, &ray, &arguments);
+}
+
+void trace(RTCScene scene, const int* valid, RTCRayHit16& rays) {
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    arguments.feature_mask = RTC_FEATURE_FLAG_TRIANGLE;
+    rtcIntersect16(valid, scene, &rays, &arguments);
 }
 
 void trace_shadow(RTCScene scene, RTCRay& ray) {
@@ -87,11 +96,18 @@ void trace_shadow(RTCScene scene, RTCRay& ray) {
     rtcOccluded1(scene, &ray, &arguments);
 }
 #else
-void trace(RTCScene scene, RTCRayHit& ray, bool coherent) {
+void trace(RTCScene scene, RTCRayHit& ray) {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
-    context.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
     rtcIntersect1(scene, &context, &ray);
+}
+
+void trace(RTCScene scene, const int* valid, RTCRayHit16& rays) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, scene, &context, &rays);
 }
 
 void trace_shadow(RTCScene scene, RTCRay& ray) {
@@ -107,6 +123,7 @@ struct EmbreeScene::State {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     std::vector<RTCGeometry> geometries;  // by mesh number, null without triangles; owned by the scene
+    std::vector<unsigned> time_steps;     // by mesh number
     std::mutex mutex;                     // builds report errors from any thread
     std::string error;                    // the first one since the last check
     bool refit = false;
@@ -153,11 +170,19 @@ EmbreeScene::~EmbreeScene() = default;
 void EmbreeScene::attach(std::uint32_t id, const TriangleMesh& mesh) {
     State& state = *state_;
     state.changed = true;
-    if (state.geometries.size() <= id) state.geometries.resize(id + 1, nullptr);
+    if (state.geometries.size() <= id) {
+        state.geometries.resize(id + 1, nullptr);
+        state.time_steps.resize(id + 1, 1);
+    }
+    state.time_steps[id] = static_cast<unsigned>(mesh.time_steps());
     if (mesh.triangle_count() == 0) return;
     RTCGeometry geometry = rtcNewGeometry(state.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, mesh.positions(), 0,
-                               3 * sizeof(float), static_cast<std::size_t>(mesh.vertex_count()));
+    rtcSetGeometryTimeStepCount(geometry, static_cast<unsigned>(mesh.time_steps()));
+    for (int step = 0; step < mesh.time_steps(); ++step) {
+        rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, static_cast<unsigned>(step),
+                                   RTC_FORMAT_FLOAT3, mesh.positions(step), 0, 3 * sizeof(float),
+                                   static_cast<std::size_t>(mesh.vertex_count()));
+    }
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.indices(), 0,
                                3 * sizeof(std::uint32_t), static_cast<std::size_t>(mesh.triangle_count()));
     if (state.refit) rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);
@@ -173,7 +198,8 @@ void EmbreeScene::moved(std::uint32_t id) {
     state.changed = true;
     RTCGeometry geometry = state.geometries[id];
     if (geometry == nullptr) return;
-    rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+    for (unsigned step = 0; step < state.time_steps[id]; ++step)
+        rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, step);
     rtcCommitGeometry(geometry);
     state.check("move a mesh");
 }
@@ -186,21 +212,50 @@ void EmbreeScene::commit() {
     state.changed = false;
 }
 
-std::optional<Hit> EmbreeScene::intersect(const Vec3& origin, const Vec3& direction, float far,
-                                          bool coherent) const {
+std::optional<Hit> EmbreeScene::intersect(const Ray& ray, float far) const {
     RTCRayHit query;
-    query.ray = make_ray(origin, direction, far);
+    query.ray = make_ray(ray, far);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    trace(state_->scene, query, coherent);
+    trace(state_->scene, query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return Hit{query.ray.tfar, query.hit.geomID, query.hit.primID};
 }
 
-bool EmbreeScene::occluded(const Vec3& origin, const Vec3& direction, float far) const {
-    RTCRay ray = make_ray(origin, direction, far);
-    trace_shadow(state_->scene, ray);
-    return ray.tfar < 0.0f;
+std::array<std::optional<Hit>, RayPacket::kSize> EmbreeScene::intersect(const RayPacket& packet) const {
+    alignas(64) std::array<int, RayPacket::kSize> valid;
+    alignas(64) RTCRayHit16 query;
+    for (std::size_t i = 0; i < RayPacket::kSize; ++i) {
+        valid[i] = i < packet.count ? -1 : 0;
+        const Ray& ray = packet.rays[i < packet.count ? i : 0];
+        query.ray.org_x[i] = ray.origin.x();
+        query.ray.org_y[i] = ray.origin.y();
+        query.ray.org_z[i] = ray.origin.z();
+        query.ray.tnear[i] = 0.0f;
+        query.ray.dir_x[i] = ray.direction.x();
+        query.ray.dir_y[i] = ray.direction.y();
+        query.ray.dir_z[i] = ray.direction.z();
+        query.ray.time[i] = ray.time;
+        query.ray.tfar[i] = std::numeric_limits<float>::infinity();
+        query.ray.mask[i] = ~0u;
+        query.ray.id[i] = 0;
+        query.ray.flags[i] = 0;
+        query.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        query.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    trace(state_->scene, valid.data(), query);
+    std::array<std::optional<Hit>, RayPacket::kSize> hits;
+    for (std::size_t i = 0; i < packet.count; ++i) {
+        if (query.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID)
+            hits[i] = Hit{query.ray.tfar[i], query.hit.geomID[i], query.hit.primID[i]};
+    }
+    return hits;
+}
+
+bool EmbreeScene::occluded(const Ray& ray, float far) const {
+    RTCRay query = make_ray(ray, far);
+    trace_shadow(state_->scene, query);
+    return query.tfar < 0.0f;
 }
 
 }  // namespace automorph::render

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "render/geometry/triangle_mesh.h"
-#include "render/math/vec.h"
+#include "render/math/ray.h"
 
 namespace automorph::render {
 
@@ -15,6 +17,13 @@ struct Hit {
     float
         distance;  ///< in lengths of the direction; Embree's, good for comparing, not for computing the point
     std::uint32_t mesh, triangle;
+};
+
+/// Rays that are traced together.
+struct RayPacket {
+    static constexpr std::size_t kSize = 16;
+    std::array<Ray, kSize> rays;
+    std::size_t count = 0;  ///< of rays that are set, at least 1
 };
 
 /// The door to Embree (3 and 4): only its source includes Embree's headers.
@@ -40,11 +49,14 @@ public:
     /// Builds or refits the tree if anything changed, with the threads of the calling TBB arena.
     void commit();
 
-    /// First hit in (0, far). `coherent` is a hint that neighbouring calls trace neighbouring rays.
-    std::optional<Hit> intersect(const Vec3& origin, const Vec3& direction, float far, bool coherent) const;
+    /// First hit in (0, far).
+    std::optional<Hit> intersect(const Ray& ray, float far) const;
 
-    /// Whether anything lies in (0, far).
-    bool occluded(const Vec3& origin, const Vec3& direction, float far) const;
+    /// First hits of a packet. For rays of one pixel this takes a third of the time of single rays.
+    std::array<std::optional<Hit>, RayPacket::kSize> intersect(const RayPacket& packet) const;
+
+    /// Whether anything lies in (0, far). The direction may have any length.
+    bool occluded(const Ray& ray, float far) const;
 
 private:
     struct State;

@@ -1,5 +1,7 @@
 #include "render/geometry/scene.h"
 
+#include <algorithm>
+
 #include "render/geometry/embree_scene.h"
 
 namespace automorph::render {
@@ -12,15 +14,26 @@ Scene& Scene::operator=(Scene&&) noexcept = default;
 
 int Scene::add_mesh(const Points& V, const Triangles& F, const MeshOptions& options) {
     const int id = mesh_count();
-    meshes_.emplace_back(V, F, options.normals, options.vertex_normals);
+    meshes_.emplace_back(V, F, options.normals, options.vertex_normals, options.time_steps);
     materials_.push_back(options.material);
     embree_->attach(static_cast<std::uint32_t>(id), meshes_.back());
     return id;
 }
 
 void Scene::move_mesh(int mesh, const Points& V) {
-    meshes_[static_cast<std::size_t>(mesh)].move(V);
+    TriangleMesh& moved = meshes_[static_cast<std::size_t>(mesh)];
+    moved.move(std::vector<Points>(static_cast<std::size_t>(moved.time_steps()), V));
     embree_->moved(static_cast<std::uint32_t>(mesh));
+}
+
+void Scene::move_mesh(int mesh, const std::vector<Points>& steps) {
+    meshes_[static_cast<std::size_t>(mesh)].move(steps);
+    embree_->moved(static_cast<std::uint32_t>(mesh));
+}
+
+bool Scene::has_motion() const {
+    return std::any_of(meshes_.begin(), meshes_.end(),
+                       [](const TriangleMesh& mesh) { return mesh.time_steps() > 1; });
 }
 
 void Scene::set_material(int mesh, const Material& material) {

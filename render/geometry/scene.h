@@ -10,6 +10,7 @@
 #include "render/geometry/triangle_mesh.h"
 #include "render/light/rectangle_light.h"
 #include "render/light/sky.h"
+#include "render/light/sphere_light.h"
 
 namespace automorph::render {
 
@@ -26,6 +27,9 @@ struct SceneOptions {
 struct MeshOptions {
     Normals normals = Normals::Smooth;
     Material material;
+    /// 1: at rest during the exposure; n: move_mesh() takes the vertices at n moments from its begin to its
+    /// end.
+    int time_steps = 1;
     Points vertex_normals;  ///< #V x 3, optional: used instead of area-weighted ones where normals are Smooth
 };
 
@@ -47,9 +51,17 @@ public:
     /// @throws InvalidMesh if the number of vertices differs
     void move_mesh(int mesh, const Points& V);
 
+    /// The same for each time step of the exposure: blurred by the motion.
+    /// @throws InvalidMesh if the number of vertices or of steps differs
+    void move_mesh(int mesh, const std::vector<Points>& steps);
+
+    /// Whether any mesh moves during the exposure.
+    bool has_motion() const;
+
     void set_material(int mesh, const Material& material);
 
     std::vector<RectangleLight> lights;
+    std::vector<SphereLight> sphere_lights;
     Sky sky;
     std::optional<Color> background;  ///< radiance of camera rays that meet nothing; the sky's when empty
 

@@ -50,8 +50,11 @@ std::vector<float> area_weighted_normals(const Points& V, const std::vector<std:
 
 }  // namespace
 
-TriangleMesh::TriangleMesh(const Points& V, const Triangles& F, Normals normals, const Points& vertex_normals)
-    : indices_(static_cast<std::size_t>(F.size())), smooth_(normals == Normals::Smooth) {
+TriangleMesh::TriangleMesh(const Points& V, const Triangles& F, Normals normals, const Points& vertex_normals,
+                           int time_steps)
+    : positions_(static_cast<std::size_t>(std::max(1, time_steps))),
+      indices_(static_cast<std::size_t>(F.size())),
+      smooth_(normals == Normals::Smooth) {
     for (Eigen::Index f = 0; f < F.rows(); ++f) {
         for (Eigen::Index k = 0; k < 3; ++k) {
             if (F(f, k) < 0 || F(f, k) >= V.rows()) {
@@ -67,21 +70,46 @@ TriangleMesh::TriangleMesh(const Points& V, const Triangles& F, Normals normals,
                 fmt::format("{} vertex normals are given for {} vertices", vertex_normals.rows(), V.rows()));
         }
         given_normals_ = true;
-        if (smooth_) normals_ = to_floats(vertex_normals.rowwise().normalized(), 0);
+        if (smooth_) normals_ = {to_floats(vertex_normals.rowwise().normalized(), 0)};
     }
-    positions_.resize(static_cast<std::size_t>(V.size()) + kPadding);
-    move(V);
+    for (std::vector<float>& step : positions_) step.resize(static_cast<std::size_t>(V.size()) + kPadding);
+    move(std::vector<Points>(positions_.size(), V));
 }
 
-void TriangleMesh::move(const Points& V) {
-    if (V.rows() != vertex_count()) {
-        throw InvalidMesh(fmt::format("a frame has {} vertices, the mesh has {}", V.rows(), vertex_count()));
+void TriangleMesh::move(const std::vector<Points>& steps) {
+    if (steps.size() != positions_.size()) {
+        throw InvalidMesh(
+            fmt::format("a frame has {} time steps, the mesh has {}", steps.size(), positions_.size()));
     }
-    // In place: Embree reads this memory.
-    const std::vector<float> moved = to_floats(V, kPadding);
-    std::copy(moved.begin(), moved.end(), positions_.begin());
-    ray_offset_ = kRayOffset * largest_coordinate(positions_);
-    if (smooth_ && !given_normals_) normals_ = area_weighted_normals(V, indices_);
+    for (const Points& V : steps) {
+        if (V.rows() != vertex_count()) {
+            throw InvalidMesh(
+                fmt::format("a frame has {} vertices, the mesh has {}", V.rows(), vertex_count()));
+        }
+    }
+    const bool follow = smooth_ && !given_normals_;
+    if (follow) normals_.clear();
+    float largest = 0.0f;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        // In place: Embree reads this memory.
+        const std::vector<float> moved = to_floats(steps[i], kPadding);
+        std::copy(moved.begin(), moved.end(), positions_[i].begin());
+        largest = std::max(largest, largest_coordinate(positions_[i]));
+        if (follow) normals_.push_back(area_weighted_normals(steps[i], indices_));
+    }
+    ray_offset_ = kRayOffset * largest;
+}
+
+std::array<Vec3, 3> TriangleMesh::blend(const std::vector<std::vector<float>>& steps, std::uint32_t triangle,
+                                        float time) const {
+    const auto last = static_cast<float>(steps.size() - 1);
+    const float place = std::clamp(time, 0.0f, 1.0f) * last;
+    const float before = std::min(std::floor(place), last - 1.0f);
+    const auto step = static_cast<std::size_t>(before);
+    std::array<Vec3, 3> a = gather(steps[step], triangle);
+    const std::array<Vec3, 3> b = gather(steps[step + 1], triangle);
+    for (std::size_t k = 0; k < 3; ++k) a[k] += (place - before) * (b[k] - a[k]);
+    return a;
 }
 
 }  // namespace automorph::render

@@ -87,12 +87,70 @@ void write_exr(const fs::path& file, const Image& image, const Metadata& metadat
     write(file, spec, OIIO::TypeDesc::FLOAT, image.pixels.data());
 }
 
-void write_png(const fs::path& file, const Image& image, const Metadata& metadata) {
-    OIIO::ImageSpec spec = make_spec(file, image, OIIO::TypeDesc::UINT8, metadata);
+void write_exr(const fs::path& file, const Image& image, const Layers& layers, const Metadata& metadata) {
+    struct Part {
+        const Image& image;
+        std::vector<std::string> channels;
+    };
+    const auto names = [](const std::string& layer, const char* letters) {
+        std::vector<std::string> channels;
+        for (const char* c = letters; *c != 0; ++c) channels.push_back(layer + "." + *c);
+        return channels;
+    };
+    const std::vector<Part> parts{{image, {"R", "G", "B"}},
+                                  {layers.albedo, names("albedo", "RGB")},
+                                  {layers.shading_normal, names("shading_normal", "XYZ")},
+                                  {layers.geometric_normal, names("geometric_normal", "XYZ")},
+                                  {layers.depth, names("depth", "Z")},
+                                  {layers.position, names("position", "XYZ")},
+                                  {layers.object, {"object.id"}},
+                                  {layers.face, {"face.id"}},
+                                  {layers.variance, names("variance", "RGB")},
+                                  {layers.samples, {"samples.count"}}};
+    OIIO::ImageSpec spec = make_spec(file, image, OIIO::TypeDesc::FLOAT, metadata);
+    spec.channelnames.clear();
+    for (const Part& part : parts) {
+        if (part.image.width != image.width || part.image.height != image.height ||
+            part.image.channels != static_cast<int>(part.channels.size())) {
+            throw IoError(
+                fmt::format("{}: layer {} has {} x {} pixels and {} channels; expected {} x {} and {}",
+                            file.string(), part.channels.front(), part.image.width, part.image.height,
+                            part.image.channels, image.width, image.height, part.channels.size()));
+        }
+        spec.channelnames.insert(spec.channelnames.end(), part.channels.begin(), part.channels.end());
+    }
+    spec.nchannels = static_cast<int>(spec.channelnames.size());
+    spec.attribute("compression", "zip");
+    std::vector<float> pixels;
+    pixels.reserve(static_cast<std::size_t>(spec.nchannels) * image.pixels.size() / 3);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            for (const Part& part : parts)
+                pixels.insert(pixels.end(), part.image.at(x, y), part.image.at(x, y) + part.image.channels);
+        }
+    }
+    write(file, spec, OIIO::TypeDesc::FLOAT, pixels.data());
+}
+
+void write_png(const fs::path& file, const Image& image, const Metadata& metadata,
+               const PngOptions& options) {
+    if (options.bits != 8 && options.bits != 16)
+        throw IoError(fmt::format("{}: PNG of {} bits; expected 8 or 16", file.string(), options.bits));
+    const OIIO::TypeDesc type = options.bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16;
+    OIIO::ImageSpec spec = make_spec(file, image, type, metadata);
     spec.attribute("oiio:ColorSpace", "sRGB");
-    std::vector<std::uint8_t> codes(image.pixels.size());
-    std::transform(image.pixels.begin(), image.pixels.end(), codes.begin(), to_srgb8);
-    write(file, spec, OIIO::TypeDesc::UINT8, codes.data());
+    std::vector<float> linear = image.pixels;
+    if (options.curve == ToneCurve::Filmic)
+        std::transform(linear.begin(), linear.end(), linear.begin(), filmic);
+    if (options.bits == 8) {
+        std::vector<std::uint8_t> codes(linear.size());
+        std::transform(linear.begin(), linear.end(), codes.begin(), to_srgb8);
+        write(file, spec, type, codes.data());
+    } else {
+        std::vector<std::uint16_t> codes(linear.size());
+        std::transform(linear.begin(), linear.end(), codes.begin(), to_srgb16);
+        write(file, spec, type, codes.data());
+    }
 }
 
 ImageFile read_image(const fs::path& file) {
@@ -107,8 +165,11 @@ ImageFile read_image(const fs::path& file) {
         read_pixels<float>(*in, spec, OIIO::TypeDesc::FLOAT, file, result.image, [](float x) { return x; });
     } else if (type == OIIO::TypeDesc::UINT8) {
         read_pixels<std::uint8_t>(*in, spec, OIIO::TypeDesc::UINT8, file, result.image, from_srgb8);
+    } else if (type == OIIO::TypeDesc::UINT16) {
+        read_pixels<std::uint16_t>(*in, spec, OIIO::TypeDesc::UINT16, file, result.image,
+                                   [](std::uint16_t code) { return from_srgb(code / 65535.0); });
     } else {
-        throw IoError(fmt::format("{}: pixels are of type {}; expected 8-bit integers or floats",
+        throw IoError(fmt::format("{}: pixels are of type {}; expected 8-bit or 16-bit integers or floats",
                                   file.string(), spec.format.c_str()));
     }
     for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
@@ -117,6 +178,29 @@ ImageFile read_image(const fs::path& file) {
         }
     }
     return result;
+}
+
+Image read_channels(const fs::path& file, const std::vector<std::string>& names) {
+    const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(file.string());
+    if (!in) throw IoError(fmt::format("{}: cannot read the picture: {}", file.string(), OIIO::geterror()));
+    const OIIO::ImageSpec spec = in->spec();
+    std::vector<std::size_t> channels;
+    for (const std::string& name : names) {
+        const int channel = spec.channelindex(name);
+        if (channel < 0) throw IoError(fmt::format("{}: there is no channel {}", file.string(), name));
+        channels.push_back(static_cast<std::size_t>(channel));
+    }
+    const auto all = static_cast<std::size_t>(spec.nchannels);
+    std::vector<float> raw(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
+                           all);
+    if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, raw.data()))
+        throw IoError(fmt::format("{}: cannot read the pixels: {}", file.string(), in->geterror()));
+    Image image(spec.width, spec.height, static_cast<int>(channels.size()));
+    std::size_t next = 0;
+    for (std::size_t pixel = 0; pixel < raw.size(); pixel += all) {
+        for (const std::size_t channel : channels) image.pixels[next++] = raw[pixel + channel];
+    }
+    return image;
 }
 
 }  // namespace automorph::render

@@ -1,19 +1,14 @@
 #include "render/integrator/path.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-
-#include "render/bsdf/diffuse.h"
-#include "render/geometry/embree_scene.h"
-#include "render/integrator/surface.h"
 
 namespace automorph::render {
 namespace {
 
-// Pairs of random numbers: the place in the pixel, then per scattering vertex these.
-enum Pair : std::uint32_t { kLight = 1, kScatter = 2, kChoice = 3, kPairsPerVertex = 3 };
-
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kLeastCosine = 0.02f;  // between shading normal and eye, where a surface is not diffuse
 
 // Power heuristic with exponent 2 for the strategy of density a [Veach95]; written so that nothing overflows.
 float mis_weight(float a, float b) {
@@ -21,124 +16,151 @@ float mis_weight(float a, float b) {
     return 1.0f / (1.0f + ratio * ratio);
 }
 
+// Interpolated normals can face away from the eye, where glossy surfaces would be black: bent towards it.
+Vec3 towards(const Vec3& normal, const Vec3& eye) {
+    const float cosine = normal.dot(eye);
+    if (cosine >= kLeastCosine) return normal;
+    return (normal + (kLeastCosine - cosine) * eye).normalized();
+}
+
 }  // namespace
 
 // A scattering vertex: where it is, and its BSDF in the local shading frame.
 struct PathTracer::Vertex {
     SurfacePoint surface;
+    const PreparedMaterial& material;
     Frame frame;
-    Diffuse bsdf;
+    Bsdf bsdf;
+
+    Vertex(const PathTracer& tracer, const Ray& ray, const Hit& hit, int depth)
+        : surface(surface_point(tracer.scene_, hit, ray)),
+          material(tracer.materials_[hit.mesh]),
+          frame(material.diffuse ? surface.shading_normal : towards(surface.shading_normal, -ray.direction)),
+          bsdf(material, surface.base_color,
+               material.diffuse ? Vec3(0, 0, 1) : frame.to_local(-ray.direction), surface.front) {
+        if (depth == 0 && material.material.shadow_catcher)
+            bsdf = Bsdf::diffuse(tracer.catcher_albedo(hit.mesh, surface));
+    }
 };
 
 PathTracer::PathTracer(const Scene& scene, const RenderOptions& options)
-    : scene_(scene), options_(options), background_(scene.background.value_or(scene.sky.radiance)) {
-    float sum = 0.0f;
-    for (const RectangleLight& light : scene.lights) {
-        light_probability_.push_back(light.radiance.sum() * cross(light.edge_u, light.edge_v).norm());
-        sum += light_probability_.back();
+    : scene_(scene),
+      options_(options),
+      lights_(scene.lights, scene.sphere_lights, scene.sky),
+      background_(scene.background.value_or(Color::Zero())),
+      map_is_sampled_(scene.sky.map && scene.sky.map->power() > 0.0f) {
+    bool choices = lights_.size() > 1;
+    for (int i = 0; i < scene.mesh_count(); ++i) {
+        materials_.emplace_back(scene.material(i));
+        choices = choices || !materials_.back().diffuse;
+        catcher_sky_.emplace_back();
+        if (!scene.material(i).shadow_catcher || scene.mesh(i).triangle_count() == 0) continue;
+        const Vec3 normal = geometric_normal(scene.mesh(i), 0);
+        catcher_sky_.back() = {irradiance(scene.sky, normal), irradiance(scene.sky, -normal)};
     }
-    if (sum > 0.0f) {
-        for (float& probability : light_probability_) probability /= sum;
-    }
+    usual_pairs_ = choices ? kChoice + 1 : kScatter + 1;
 }
 
-// Light of rectangles between the ray's origin and `far`. They block nothing, so all of them count.
-Color PathTracer::light_on_the_way(const Vec3& origin, const Vec3& direction, float far, int depth,
+// How much of the light that a ray finds is counted: the rest comes from direct_light() at the ray's origin.
+float PathTracer::found_weight(int depth, float bsdf_pdf, float light_pdf) const {
+    if (depth == 0 || std::isinf(bsdf_pdf) || options_.lights == LightStrategy::Scatter) return 1.0f;
+    return options_.lights == LightStrategy::Lights ? 0.0f : mis_weight(bsdf_pdf, light_pdf);
+}
+
+// Light of rectangles and spheres between the ray's origin and `far`.
+Color PathTracer::light_on_the_way(const Ray& ray, const Vec3& normal, float far, int depth,
                                    float bsdf_pdf) const {
-    Color sum = Color::Zero();
-    if (depth > 0 && options_.lights == LightStrategy::Lights) return sum;
-    for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
-        const RectangleLight& light = scene_.lights[i];
-        const std::optional<LightHit> hit = intersect(light, origin, direction);
-        if (!hit || hit->distance >= far) continue;
-        if (depth == 0) {
-            if (light.visible_to_camera) sum += light.radiance;
-        } else if (options_.lights == LightStrategy::Scatter) {
-            sum += light.radiance;
-        } else {
-            sum += mis_weight(bsdf_pdf, light_probability_[i] * hit->pdf) * light.radiance;
-        }
-    }
-    return sum;
+    return lights_.met({ray.origin, normal}, ray.direction, far, [&](const auto& light, float light_pdf) {
+        if (depth == 0 && !light.visible_to_camera) return 0.0f;
+        return found_weight(depth, bsdf_pdf, light_pdf);
+    });
 }
 
-// Reflected light of one rectangle, chosen by power, sampled by area.
-Color PathTracer::direct_light(const Vertex& vertex, Sample2 choice, Sample2 place,
-                               std::uint64_t& rays) const {
-    std::size_t chosen = 0;
-    float rest = choice.u;
-    while (chosen + 1 < light_probability_.size() && rest >= light_probability_[chosen]) {
-        rest -= light_probability_[chosen++];
-    }
-    const float probability = light_probability_[chosen];
-    if (!(probability > 0.0f)) return Color::Zero();
+Color PathTracer::sky(const Ray& ray, const Vec3& normal, int depth, float bsdf_pdf) const {
+    if (depth == 0 && scene_.background) return background_;
+    const Color smooth = scene_.sky.smooth(ray.direction);
+    if (!map_is_sampled_) return smooth;
+    const float weight =
+        depth == 0 || std::isinf(bsdf_pdf)
+            ? 1.0f
+            : found_weight(depth, bsdf_pdf, lights_.map_pdf({ray.origin, normal}, ray.direction));
+    return smooth + weight * (*scene_.sky.map)(ray.direction);
+}
 
+// Reflected light of one light, chosen and sampled.
+Color PathTracer::direct_light(const Vertex& vertex, float choice, Sample2 place, float time,
+                               std::uint64_t& rays) const {
     const Vec3& from = vertex.surface.ray_origin;
-    const std::optional<LightSample> light = sample(scene_.lights[chosen], from, place.u, place.v);
+    const std::optional<LightSample> light =
+        lights_.sample({from, vertex.frame.normal}, choice, place.u, place.v);
     if (!light) return Color::Zero();
     const Vec3 wi = vertex.frame.to_local(light->wi);
-    if (!(wi.z() > 0.0f)) return Color::Zero();
+    const BsdfValue value = vertex.bsdf.evaluate(wi);
+    if (!(value.pdf > 0.0f)) return Color::Zero();
     ++rays;
-    if (scene_.embree().occluded(from, light->to_light, 1.0f)) return Color::Zero();
-    const float pdf = probability * light->pdf;
-    const float weight =
-        options_.lights == LightStrategy::Lights ? 1.0f : mis_weight(pdf, vertex.bsdf.pdf(wi));
-    return weight / pdf * vertex.bsdf.evaluate(wi) * light->radiance;
+    const Ray shadow{wi.z() > 0.0f ? from : vertex.surface.ray_origin_behind, light->to_light, time};
+    if (scene_.embree().occluded(shadow, light->far)) return Color::Zero();
+    const float weight = options_.lights == LightStrategy::Lights ? 1.0f : mis_weight(light->pdf, value.pdf);
+    return weight / light->pdf * value.f_cos * light->radiance;
 }
 
 // The albedo with which an unshadowed ground has exactly the background's radiance.
-Color PathTracer::catcher_albedo(const Vec3& position, const Vec3& normal) const {
-    Color sum = kPi * scene_.sky.radiance;
-    for (const RectangleLight& light : scene_.lights) sum += irradiance(light, position, normal);
-    return (sum > 0.0f).select(kPi * background_ / sum, 0.0f);
+Color PathTracer::catcher_albedo(std::uint32_t mesh, const SurfacePoint& surface) const {
+    const Color background = scene_.background ? background_ : scene_.sky.radiance;
+    const CatcherSky& sky = catcher_sky_[mesh];
+    const Color sum =
+        (surface.front ? sky.front : sky.back) + lights_.irradiance(surface.position, surface.shading_normal);
+    return (sum > 0.0f).select(kPi * background / sum, 0.0f);
 }
 
-Color PathTracer::radiance(Vec3 origin, Vec3 direction, const PixelSampler& random, std::uint32_t index,
-                           std::uint64_t& rays) const {
+Color PathTracer::radiance(Ray ray, std::optional<Hit> hit, const SampleNumbers& random, std::uint64_t& rays,
+                           FirstSurface* first) const {
     Color sum = Color::Zero();
     Color throughput = Color::Ones();
-    float bsdf_pdf = 0.0f;  // of `direction`
+    Vec3 normal = Vec3::Zero();  // where the ray starts
+    float bsdf_pdf = 0.0f;       // of the ray's direction
+    float density = 1.0f;        // of the medium, squared index: what refraction took from the throughput
     for (int depth = 0;; ++depth) {
         ++rays;
-        const std::optional<Hit> hit = scene_.embree().intersect(origin, direction, kInfinity, depth == 0);
-        sum += throughput *
-               light_on_the_way(origin, direction, hit ? hit->distance : kInfinity, depth, bsdf_pdf);
-        if (!hit) {
-            sum += throughput * (depth == 0 ? background_ : scene_.sky(direction));
-            break;
-        }
-        const SurfacePoint surface = surface_point(scene_, *hit, origin, direction);
-        const Material& material = *surface.material;
-        sum += throughput * material.emission;
-        if (depth == options_.max_scatter) break;
+        if (depth > 0) hit = scene_.embree().intersect(ray, kInfinity);
+        sum += throughput * light_on_the_way(ray, normal, hit ? hit->distance : kInfinity, depth, bsdf_pdf);
+        if (!hit) return sum + throughput * sky(ray, normal, depth, bsdf_pdf);
+        sum += throughput * materials_[hit->mesh].material.emission;
+        if (depth == options_.max_scatter) return sum;
 
-        const bool catches = depth == 0 && material.shadow_catcher;
-        const Vertex vertex{
-            surface, Frame(surface.shading_normal),
-            Diffuse(catches ? catcher_albedo(surface.position, surface.shading_normal) : material.albedo)};
+        const Vertex v(*this, ray, *hit, depth);
+        if (depth == 0 && first != nullptr)
+            *first = {v.surface.base_color, v.surface.shading_normal, v.surface.geometric_normal};
         const auto pair = [&](Pair which) {
-            return random(index, static_cast<std::uint32_t>(depth) * kPairsPerVertex + which);
+            return random(static_cast<std::uint32_t>(depth) * kPairsPerVertex + which);
         };
         const bool roulette = depth >= options_.roulette_after;
-        const bool choose = light_probability_.size() > 1;
-        const Sample2 choice = roulette || choose ? pair(kChoice) : Sample2{0.0f, 0.0f};
-        if (!light_probability_.empty() && options_.lights != LightStrategy::Scatter) {
-            sum += throughput * direct_light(vertex, choice, pair(kLight), rays);
-        }
+        const bool choose = roulette || lights_.size() > 1 || v.bsdf.needs_choice();
+        Sample2 choice = choose ? pair(kChoice) : Sample2{0.0f, 0.0f};
+        if (lights_.size() > 0 && options_.lights != LightStrategy::Scatter)
+            sum += throughput * direct_light(v, choice.u, pair(kLight), ray.time, rays);
 
         const Sample2 uv = pair(kScatter);
-        const BsdfSample scattered = vertex.bsdf.sample(uv.u, uv.v);
-        throughput *= scattered.weight;
+        const std::optional<BsdfSample> scattered = v.bsdf.sample(uv.u, uv.v, choice.v);
+        if (!scattered) return sum;
+        throughput *= scattered->weight;
+        density *= scattered->density;
         if (roulette) {
-            const float survival = std::min(1.0f, throughput.maxCoeff());
-            if (!(choice.v < survival)) break;
+            const float survival = std::min(1.0f, density * throughput.maxCoeff());
+            if (!(choice.v < survival)) return sum;
             throughput /= survival;
         }
-        bsdf_pdf = scattered.pdf;
-        direction = vertex.frame.to_world(scattered.wi);
-        origin = surface.ray_origin;
+        bsdf_pdf = scattered->pdf;
+        normal = v.frame.normal;
+        ray.direction = v.frame.to_world(scattered->wi);
+        if (scattered->wi.z() > 0.0f) {
+            ray.origin = v.surface.ray_origin;
+        } else {
+            // Refracted by the interpolated normal, but reflected by the true one: there is no such light.
+            if (ray.direction.dot(v.surface.geometric_normal) > 0.0f) return sum;
+            ray.origin = v.surface.ray_origin_behind;
+        }
     }
-    return sum;
 }
 
 }  // namespace automorph::render

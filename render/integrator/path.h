@@ -1,37 +1,64 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "render/bsdf/bsdf.h"
+#include "render/geometry/embree_scene.h"
 #include "render/geometry/scene.h"
 #include "render/integrator/render.h"
+#include "render/integrator/sample_numbers.h"
+#include "render/integrator/surface.h"
+#include "render/light/light_set.h"
+#include "render/math/ray.h"
 #include "render/math/vec.h"
-#include "render/sampler/sobol.h"
 
 namespace automorph::render {
+
+/// What a camera ray meets first.
+struct FirstSurface {
+    Color albedo = Color::Zero();
+    Vec3 shading_normal = Vec3::Zero(), geometric_normal = Vec3::Zero();
+};
 
 /// What all paths of a picture share.
 class PathTracer {
 public:
     /// @pre the scene is committed and stays unchanged while this object lives
+    /// @throws ConfigError if a material is out of range
     PathTracer(const Scene& scene, const RenderOptions& options);
 
-    /// Radiance along a camera ray: one sample of the path integral. Thread-safe.
-    /// @param rays  counts the rays traced
-    Color radiance(Vec3 origin, Vec3 direction, const PixelSampler& random, std::uint32_t index,
-                   std::uint64_t& rays) const;
+    /// Radiance along a camera ray with known first hit: one sample of the path integral. Thread-safe.
+    /// @param rays   counts the rays traced
+    /// @param first  takes the first surface, if not null and if there is one
+    Color radiance(Ray ray, std::optional<Hit> hit, const SampleNumbers& random, std::uint64_t& rays,
+                   FirstSurface* first) const;
+
+    /// How many of the first pairs of random numbers most paths take.
+    std::uint32_t usual_pairs() const { return usual_pairs_; }
 
 private:
     struct Vertex;
-    Color light_on_the_way(const Vec3& origin, const Vec3& direction, float far, int depth,
-                           float bsdf_pdf) const;
-    Color direct_light(const Vertex& vertex, Sample2 choice, Sample2 place, std::uint64_t& rays) const;
-    Color catcher_albedo(const Vec3& position, const Vec3& normal) const;
+    float found_weight(int depth, float bsdf_pdf, float light_pdf) const;
+    Color light_on_the_way(const Ray& ray, const Vec3& normal, float far, int depth, float bsdf_pdf) const;
+    Color sky(const Ray& ray, const Vec3& normal, int depth, float bsdf_pdf) const;
+    Color direct_light(const Vertex& vertex, float choice, Sample2 place, float time,
+                       std::uint64_t& rays) const;
+    Color catcher_albedo(std::uint32_t mesh, const SurfacePoint& surface) const;
+
+    struct CatcherSky {
+        Color front = Color::Zero(), back = Color::Zero();  ///< irradiance
+    };
 
     const Scene& scene_;
     const RenderOptions& options_;
-    std::vector<float> light_probability_;  ///< of choosing each light, by power
+    LightSet lights_;
+    std::vector<PreparedMaterial> materials_;  ///< by mesh
+    std::vector<CatcherSky> catcher_sky_;      ///< by mesh, of shadow catchers
     Color background_;
+    bool map_is_sampled_;
+    std::uint32_t usual_pairs_;
 };
 
 }  // namespace automorph::render

@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "render/camera/camera.h"
 #include "render/film/filter.h"
 #include "render/film/image.h"
+#include "render/film/layers.h"
 #include "render/geometry/scene.h"
 
 namespace automorph::render {
@@ -18,9 +20,14 @@ enum class LightStrategy {
 };
 
 struct RenderOptions {
-    int width = 640;      ///< pixels
-    int height = 480;     ///< pixels
-    int spp = 64;         ///< samples per pixel; powers of two are stratified best
+    int width = 640;   ///< pixels
+    int height = 480;  ///< pixels
+    int spp = 64;      ///< samples per pixel, at most if adaptive; powers of two are stratified best
+    /// Standard error of a pixel's luminance, relative to the luminance + 0.01, at which its samples suffice;
+    /// 0: all pixels take `spp`. Judged by the first `pilot` samples of the pixel and its eight neighbours.
+    double adaptive_error = 0.0;
+    int pilot = 16;       ///< samples that every pixel takes, if adaptive
+    bool layers = false;  ///< fills RenderResult::layers
     int max_scatter = 6;  ///< longest path: scattering vertices between camera and light; 0 sees lights only
     std::uint64_t seed = 0;   ///< pictures with different seeds have independent noise
     std::uint32_t frame = 0;  ///< likewise for the frames of a sequence
@@ -38,6 +45,7 @@ struct RenderOptions {
 
 struct RenderResult {
     Image image;                    ///< mean radiance per pixel, RGB
+    std::optional<Layers> layers;   ///< if asked for
     std::uint64_t samples = 0;      ///< taken
     std::uint64_t bad_samples = 0;  ///< dropped because not finite or negative; 0 expected
     std::uint64_t rays = 0;         ///< traced, shadow rays included

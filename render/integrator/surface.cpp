@@ -15,32 +15,42 @@ std::array<float, 3> barycentric(const std::array<Vec3, 3>& p, const Vec3& origi
     const Vec3 a = cross(direction, e2), b = cross(t, e1);
     const float determinant = e1.dot(a);
     if (determinant == 0.0f) return {1.0f, 0.0f, 0.0f};
-    const float v = std::clamp(t.dot(a) / determinant, 0.0f, 1.0f);
-    const float w = std::clamp(direction.dot(b) / determinant, 0.0f, 1.0f - v);
+    const float inverse = 1.0f / determinant;
+    const float v = std::clamp(t.dot(a) * inverse, 0.0f, 1.0f);
+    const float w = std::clamp(direction.dot(b) * inverse, 0.0f, 1.0f - v);
     return {1.0f - v - w, v, w};
 }
 
 }  // namespace
 
-SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& origin, const Vec3& direction) {
+Vec3 geometric_normal(const TriangleMesh& mesh, std::uint32_t triangle) {
+    const std::array<Vec3, 3> p = mesh.corners(triangle, 0.0f);
+    const Vec3 area_normal = cross(Vec3(p[1] - p[0]), Vec3(p[2] - p[0]));
+    const float length2 = area_normal.squaredNorm();
+    return length2 > 0.0f ? Vec3(area_normal / std::sqrt(length2)) : Vec3::Zero();
+}
+
+SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Ray& ray) {
+    const Vec3& direction = ray.direction;
     const TriangleMesh& mesh = scene.mesh(static_cast<int>(hit.mesh));
-    const std::array<Vec3, 3> p = mesh.corners(hit.triangle);
-    const std::array<float, 3> b = barycentric(p, origin, direction);
+    const std::array<Vec3, 3> p = mesh.corners(hit.triangle, ray.time);
+    const std::array<float, 3> b = barycentric(p, ray.origin, direction);
 
     SurfacePoint point;
-    point.material = &scene.material(static_cast<int>(hit.mesh));
+    point.base_color = scene.material(static_cast<int>(hit.mesh)).base_color;
     point.position = b[0] * p[0] + b[1] * p[1] + b[2] * p[2];
     const Vec3 area_normal = cross(Vec3(p[1] - p[0]), Vec3(p[2] - p[0]));
     const float length2 = area_normal.squaredNorm();
-    Vec3 ng = length2 > 0.0f ? Vec3(area_normal / std::sqrt(length2)) : Vec3(-direction);
+    Vec3 ng = length2 > 0.0f ? Vec3(1.0f / std::sqrt(length2) * area_normal) : Vec3(-direction);
     const float side = ng.dot(direction) > 0.0f ? -1.0f : 1.0f;
     ng *= side;
+    point.front = side > 0.0f;
     point.geometric_normal = ng;
     point.shading_normal = ng;
 
     Vec3 lifted = point.position;
     if (mesh.smooth()) {
-        const std::array<Vec3, 3> n = mesh.corner_normals(hit.triangle);
+        const std::array<Vec3, 3> n = mesh.corner_normals(hit.triangle, ray.time);
         const Vec3 sum = side * (b[0] * n[0] + b[1] * n[1] + b[2] * n[2]);
         const float sum2 = sum.squaredNorm();
         if (sum2 > 0.0f) {
@@ -57,6 +67,7 @@ SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Vec3& origi
         }
     }
     point.ray_origin = lifted + mesh.ray_offset() * ng;
+    point.ray_origin_behind = point.position - mesh.ray_offset() * ng;
     return point;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "render/light/light.h"
 #include "render/math/vec.h"
 
 namespace automorph::render {
@@ -20,14 +21,6 @@ struct RectangleLight {
 /// A square light of side `side` around `center`, facing `target`, one pair of edges horizontal (Z up).
 RectangleLight square_light(const Vec3& center, const Vec3& target, float side, const Color& radiance);
 
-/// A direction towards a light, sampled with density `pdf`.
-struct LightSample {
-    Vec3 to_light;   ///< from the lit point to the sampled point of the light, not normalised
-    Vec3 wi;         ///< to_light normalised
-    Color radiance;  ///< arriving at the lit point if nothing is between
-    float pdf;       ///< per solid angle at the lit point
-};
-
 /// Samples the rectangle's area evenly by (u, v) in [0, 1)^2; empty when the point is behind the light.
 inline std::optional<LightSample> sample(const RectangleLight& light, const Vec3& point, float u, float v) {
     const Vec3 area_normal = cross(light.edge_u, light.edge_v);
@@ -36,14 +29,8 @@ inline std::optional<LightSample> sample(const RectangleLight& light, const Vec3
     const float facing = -to_light.dot(area_normal);  // area * distance * cosine at the light
     if (!(facing > 0.0f)) return std::nullopt;
     const float distance = std::sqrt(distance2);
-    return LightSample{to_light, to_light / distance, light.radiance, distance2 * distance / facing};
+    return LightSample{to_light, 1.0f / distance * to_light, light.radiance, distance2 * distance / facing};
 }
-
-/// Where a ray meets the radiating side.
-struct LightHit {
-    float distance;  ///< in lengths of the direction
-    float pdf;       ///< density of sample() for this direction, per solid angle
-};
 
 /// @pre `direction` is a unit vector
 inline std::optional<LightHit> intersect(const RectangleLight& light, const Vec3& origin,

@@ -30,7 +30,7 @@ void Bounds::add(const Points& V) {
 
 Material clay() {
     Material material;
-    material.albedo = {0.77f, 0.74f, 0.70f};
+    material.base_color = {0.77f, 0.74f, 0.70f};
     return material;
 }
 
@@ -73,7 +73,7 @@ void add_studio(Scene& scene, const Camera& camera, const Bounds& bounds, const 
     F << 0, 1, 2, 0, 2, 3;
     MeshOptions ground;
     ground.normals = Normals::Flat;
-    ground.material.albedo.setConstant(0.5f);
+    ground.material.base_color.setConstant(0.5f);
     ground.material.shadow_catcher = true;
     scene.add_mesh(V, F, ground);
 }

@@ -21,7 +21,7 @@ Camera looking_along_y() {
 }  // namespace
 
 TEST_CASE("rays go through the picture's middle, sides and corners") {
-    const PinholeCamera camera(looking_along_y(), 200, 100);  // half the picture: 2 x 1 at distance 1
+    const PictureCamera camera(looking_along_y(), 200, 100);  // half the picture: 2 x 1 at distance 1
     CHECK((camera.direction(100, 50) - Vec3(0, 1, 0)).norm() < 1e-6f);
     CHECK((camera.direction(200, 50) - Vec3(2, 1, 0).normalized()).norm() < 1e-6f);
     CHECK((camera.direction(100, 0) - Vec3(0, 1, 1).normalized()).norm() < 1e-6f);
@@ -30,7 +30,7 @@ TEST_CASE("rays go through the picture's middle, sides and corners") {
 }
 
 TEST_CASE("points project to where the ray through them leaves") {
-    const PinholeCamera camera(looking_along_y(), 200, 100);
+    const PictureCamera camera(looking_along_y(), 200, 100);
     CHECK((camera.project({1, 9, 3}).value() - Eigen::Vector2d(100, 50)).norm() < 1e-12);
     CHECK((camera.project({5, 4, 5}).value() - Eigen::Vector2d(200, 0)).norm() < 1e-12);
     for (double x : {3.5, 100.0, 170.25}) {
@@ -43,7 +43,7 @@ TEST_CASE("points project to where the ray through them leaves") {
 }
 
 TEST_CASE("points beside and behind the camera have no place in the picture") {
-    const PinholeCamera camera(looking_along_y(), 200, 100);
+    const PictureCamera camera(looking_along_y(), 200, 100);
     CHECK_FALSE(camera.project({1, 1, 3}).has_value());
     CHECK_FALSE(camera.project({1, 2, 3}).has_value());
     CHECK_FALSE(camera.project({4, 2, 3}).has_value());
@@ -51,7 +51,7 @@ TEST_CASE("points beside and behind the camera have no place in the picture") {
 
 TEST_CASE("what is not a camera is refused") {
     Camera camera = looking_along_y();
-    CHECK_THROWS_AS(PinholeCamera(camera, 0, 10), ConfigError);
+    CHECK_THROWS_AS(PictureCamera(camera, 0, 10), ConfigError);
     SECTION("position and target coincide") {
         camera.target = camera.position;
     }
@@ -70,5 +70,5 @@ TEST_CASE("what is not a camera is refused") {
     SECTION("position that is not finite") {
         camera.position.x() = INFINITY;
     }
-    CHECK_THROWS_AS(PinholeCamera(camera, 10, 10), ConfigError);
+    CHECK_THROWS_AS(PictureCamera(camera, 10, 10), ConfigError);
 }

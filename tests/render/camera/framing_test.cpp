@@ -26,7 +26,7 @@ Points random_cloud(std::mt19937& random, double scale) {
 // Smallest distance, in fractions of the half picture, of a projected point from each side: left, right, top,
 // bottom.
 Eigen::Array4d borders(const Camera& camera, const std::vector<Points>& frames) {
-    const PinholeCamera pinhole(camera, kWidth, kHeight);
+    const PictureCamera pinhole(camera, kWidth, kHeight);
     Eigen::Array4d result = Eigen::Array4d::Constant(1e9);
     for (const Points& V : frames) {
         for (int i = 0; i < V.rows(); ++i) {
@@ -107,7 +107,7 @@ TEST_CASE("a single point, and points on one view ray, give a valid camera") {
         FramingOptions options;
         options.direction = {1.0, 1.0, 1.0};
         const Camera camera = frame_all({V}, options);
-        const PinholeCamera pinhole(camera, kWidth, kHeight);
+        const PictureCamera pinhole(camera, kWidth, kHeight);
         for (int i = 0; i < 2; ++i) {
             const Eigen::Vector2d p = pinhole.project(V.row(i).transpose()).value();
             CHECK((p - Eigen::Vector2d(0.5 * kWidth, 0.5 * kHeight)).norm() < 1e-6);

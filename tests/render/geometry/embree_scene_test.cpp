@@ -16,21 +16,51 @@ TEST_CASE("rays find the first triangle and its distance, shadow rays anything b
     scene.attach(0, a);
     scene.attach(5, b);
     scene.commit();
-    for (bool coherent : {true, false}) {
-        const Hit hit = scene.intersect({0.3f, 0.1f, 3.0f}, {0, 0, -2}, 1e9f, coherent).value();
+    {
+        const Hit hit = scene.intersect({{0.3f, 0.1f, 3.0f}, {0, 0, -2}}, 1e9f).value();
         CHECK(hit.mesh == 5);
         CHECK(hit.triangle == 0);
         CHECK(hit.distance == Approx(1.0f));
-        const Hit beside = scene.intersect({-0.9f, 0.1f, 3.0f}, {0, 0, -1}, 1e9f, coherent).value();
+        const Hit beside = scene.intersect({{-0.9f, 0.1f, 3.0f}, {0, 0, -1}}, 1e9f).value();
         CHECK(beside.mesh == 0);
         CHECK(beside.triangle == 1);
         CHECK(beside.distance == Approx(3.0f));
-        CHECK_FALSE(scene.intersect({1.1f, 0.1f, 3.0f}, {0, 0, -1}, 1e9f, coherent).has_value());
-        CHECK_FALSE(scene.intersect({-0.9f, 0.1f, 3.0f}, {0, 0, -1}, 2.9f, coherent).has_value());
+        CHECK_FALSE(scene.intersect({{1.1f, 0.1f, 3.0f}, {0, 0, -1}}, 1e9f).has_value());
+        CHECK_FALSE(scene.intersect({{-0.9f, 0.1f, 3.0f}, {0, 0, -1}}, 2.9f).has_value());
     }
-    CHECK(scene.occluded({0.3f, 0.1f, 3.0f}, {0, 0, -1}, 2.1f));
-    CHECK_FALSE(scene.occluded({0.3f, 0.1f, 3.0f}, {0, 0, -1}, 1.9f));
-    CHECK_FALSE(scene.occluded({0.3f, 0.1f, 3.0f}, {0, 0, 1}, 1e9f));
+    CHECK(scene.occluded({{0.3f, 0.1f, 3.0f}, {0, 0, -1}}, 2.1f));
+    CHECK_FALSE(scene.occluded({{0.3f, 0.1f, 3.0f}, {0, 0, -1}}, 1.9f));
+    CHECK_FALSE(scene.occluded({{0.3f, 0.1f, 3.0f}, {0, 0, 1}}, 1e9f));
+}
+
+TEST_CASE("a packet of rays meets what the single rays meet") {
+    const Shape sphere = icosphere(3);
+    const TriangleMesh mesh(sphere.V, sphere.F, Normals::Flat);
+    for (const char* config : {"", "isa=sse4.2"}) {
+        EmbreeScene scene({config, false});
+        scene.attach(0, mesh);
+        scene.commit();
+        int met = 0;
+        for (std::size_t count : {1u, 5u, 16u}) {
+            RayPacket packet;
+            packet.count = count;
+            for (std::size_t i = 0; i < count; ++i)
+                packet.rays[i] = {{0.1f, -3.0f, 0.2f},
+                                  Vec3(0.03f * static_cast<float>(i), 1.0f, 0.01f).normalized()};
+            const auto hits = scene.intersect(packet);
+            for (std::size_t i = 0; i < hits.size(); ++i) {
+                std::optional<Hit> expected;
+                if (i < count) expected = scene.intersect(packet.rays[i], 1e30f);
+                REQUIRE(hits[i].has_value() == expected.has_value());
+                if (!expected) continue;
+                ++met;
+                CHECK(hits[i]->mesh == expected->mesh);
+                CHECK(hits[i]->triangle == expected->triangle);
+                CHECK(hits[i]->distance == Approx(expected->distance));
+            }
+        }
+        CHECK(met > 15);
+    }
 }
 
 TEST_CASE("Embree's errors come as exceptions with its message") {
@@ -80,9 +110,9 @@ TEST_CASE("given normals are normalised and stay when vertices move, computed on
     Points V = cube.V;
     V.col(2) *= 3.0;
     TriangleMesh given(cube.V, cube.F, Normals::Smooth, Points::Constant(8, 3, 5.0));
-    given.move(V);
+    given.move({V});
     CHECK((given.corner_normals(0)[0] - Vec3::Ones().normalized()).norm() < 1e-6f);
     TriangleMesh computed(cube.V, cube.F, Normals::Smooth);
-    computed.move(-cube.V);
+    computed.move({Points(-cube.V)});
     CHECK((computed.corner_normals(0)[0] - computed.corners(0)[0].normalized()).norm() > 1.0f);
 }

@@ -126,6 +126,74 @@ TEST_CASE("8-bit codes are the rounded sRGB curve, clamped") {
     }
 }
 
+TEST_CASE("an EXR with layers keeps every value of each, and reads as its picture") {
+    const Folder folder;
+    const fs::path file = folder.path / "layers.exr";
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> uniform(-5.0f, 5.0f);
+    const auto values = [&](int channels) {
+        Image image(7, 5, channels);
+        for (float& x : image.pixels) x = uniform(random);
+        return image;
+    };
+    Layers layers{values(3), values(3), values(3), values(1), values(3),
+                  values(1), values(1), values(3), values(1)};
+    layers.depth.pixels[3] = std::numeric_limits<float>::infinity();
+    const Image image = values(3);
+    write_exr(file, image, layers, {{"seed", "7"}});
+    CHECK(read_image(file).image.pixels == image.pixels);
+    CHECK(read_image(file).metadata.at("seed") == "7");
+    const auto same = [&](const Image& layer, const std::vector<std::string>& names) {
+        return read_channels(file, names).pixels == layer.pixels;
+    };
+    CHECK(same(layers.albedo, {"albedo.R", "albedo.G", "albedo.B"}));
+    CHECK(same(layers.shading_normal, {"shading_normal.X", "shading_normal.Y", "shading_normal.Z"}));
+    CHECK(same(layers.geometric_normal, {"geometric_normal.X", "geometric_normal.Y", "geometric_normal.Z"}));
+    CHECK(same(layers.depth, {"depth.Z"}));
+    CHECK(same(layers.position, {"position.X", "position.Y", "position.Z"}));
+    CHECK(same(layers.object, {"object.id"}));
+    CHECK(same(layers.face, {"face.id"}));
+    CHECK(same(layers.variance, {"variance.R", "variance.G", "variance.B"}));
+    CHECK(same(layers.samples, {"samples.count"}));
+    CHECK_THROWS_AS(read_channels(file, {"nothing"}), IoError);
+    layers.depth = Image(7, 4, 1);
+    CHECK_THROWS_AS(write_exr(file, image, layers), IoError);
+}
+
+TEST_CASE("16-bit PNG is the sRGB curve in steps of 1 / 65535") {
+    const Folder folder;
+    const fs::path file = folder.path / "deep.png";
+    Image image(300, 1, 3);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = static_cast<float>(i) / static_cast<float>(image.pixels.size() - 1);
+    write_png(file, image, {}, {ToneCurve::Srgb, 16});
+    const Image read = read_image(file).image;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        REQUIRE(srgb_encode(static_cast<double>(read.pixels[i])) ==
+                Approx(srgb_encode(static_cast<double>(image.pixels[i]))).margin(0.51 / 65535));
+    CHECK(to_srgb16(1.0f) == 65535);
+    CHECK(to_srgb16(0.0f) == 0);
+    CHECK_THROWS_AS(write_png(file, image, {}, {ToneCurve::Srgb, 12}), IoError);
+}
+
+TEST_CASE("the filmic curve rises from 0 to 1 and rolls off") {
+    CHECK(filmic(0.0f) == 0.0f);
+    CHECK(filmic(-1.0f) == 0.0f);
+    CHECK(filmic(0.18f) == Approx(0.2669).epsilon(1e-3));
+    CHECK(filmic(1.0f) == Approx(0.8038).epsilon(1e-3));
+    CHECK(filmic(1e9f) == 1.0f);
+    CHECK(filmic(std::numeric_limits<float>::infinity()) == 1.0f);
+    float before = -1.0f;
+    for (float x = 0.0f; x < 4.0f; x += 0.01f) {
+        CHECK(filmic(x) > before);
+        before = filmic(x);
+    }
+    const Folder folder;
+    const Image image(2, 2, 3, 1.0f);
+    write_png(folder.path / "filmic.png", image, {}, {ToneCurve::Filmic, 8});
+    CHECK(read_image(folder.path / "filmic.png").image.pixels[0] == Approx(0.8038).margin(0.01));
+}
+
 TEST_CASE("what cannot be written or read is an error that names the file, and leaves nothing behind") {
     const Folder folder;
     const Image image(4, 4);

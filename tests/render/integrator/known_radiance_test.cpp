@@ -3,6 +3,7 @@
 
 #include "render/integrator/render.h"
 #include "tests/catch.h"
+#include "tests/render/picture_mean.h"
 #include "tests/render/shapes.h"
 
 using namespace automorph;
@@ -13,32 +14,8 @@ namespace {
 MeshOptions flat(float albedo) {
     MeshOptions options;
     options.normals = Normals::Flat;
-    options.material.albedo.setConstant(albedo);
+    options.material.base_color.setConstant(albedo);
     return options;
-}
-
-RenderOptions small_picture(int size, int spp) {
-    RenderOptions options;
-    options.width = options.height = size;
-    options.spp = spp;
-    options.filter = Filter::Box;
-    return options;
-}
-
-struct Mean {
-    double value, error;  // over pixels, and its standard error
-};
-
-Mean mean_red(const Image& image) {
-    double sum = 0.0, squares = 0.0;
-    const int pixels = image.width * image.height;
-    for (int i = 0; i < pixels; ++i) {
-        const double x = image.pixels[static_cast<std::size_t>(3 * i)];
-        sum += x;
-        squares += x * x;
-    }
-    const double mean = sum / pixels;
-    return {mean, std::sqrt(std::max(0.0, squares / pixels - mean * mean) / (pixels - 1))};
 }
 
 // Looks at the origin's neighbourhood, so closely that the radiance does not vary.
@@ -119,7 +96,7 @@ TEST_CASE("smooth normals keep the furnace white") {
     const Shape sphere = icosphere(3);
     Scene scene;
     MeshOptions options;
-    options.material.albedo.setConstant(0.8f);
+    options.material.base_color.setConstant(0.8f);
     scene.add_mesh(sphere.V, sphere.F, options);
     scene.sky.radiance.setOnes();
     Camera camera;
@@ -159,7 +136,7 @@ TEST_CASE("an infinite plane in a sky is lit by half of it, its albedo per colou
     Scene scene;
     const Shape plane = square(1e4, 0.0);
     MeshOptions options = flat(1.0f);
-    options.material.albedo = {0.2f, 0.6f, 1.0f};
+    options.material.base_color = {0.2f, 0.6f, 1.0f};
     scene.add_mesh(plane.V, plane.F, options);
     scene.sky.radiance = {3.0f, 2.0f, 1.0f};
     const Image image = render::render(scene, close_up(), small_picture(4, 4)).image;
@@ -225,7 +202,7 @@ TEST_CASE("a shadow catcher has the background's radiance but for the shadow") {
     const Image shadowed = render::render(scene, camera, options).image;
     // A black sphere only takes light away; its shadow reaches left behind it.
     for (std::size_t i = 0; i < empty.pixels.size(); ++i) CHECK(shadowed.pixels[i] < 1.02f * empty.pixels[i]);
-    const PinholeCamera pinhole(camera, options.width, options.height);
+    const PictureCamera pinhole(camera, options.width, options.height);
     const Eigen::Vector2d p = pinhole.project({-0.45, 0.3, 0.0}).value();
     CHECK(shadowed.at(static_cast<int>(p.x()), static_cast<int>(p.y()))[0] < 0.6f);
 }
@@ -234,7 +211,7 @@ TEST_CASE("a coarse sphere with smooth normals is lit like a sphere, without a b
     const Shape coarse = icosphere(2);  // 320 triangles
     Scene scene;
     MeshOptions options;
-    options.material.albedo.setOnes();
+    options.material.base_color.setOnes();
     scene.add_mesh(coarse.V, coarse.F, options);
     const Vec3 to_light = Vec3(1.0f, -0.2f, 0.3f).normalized();
     const float distance = 500.0f;

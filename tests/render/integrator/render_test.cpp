@@ -217,7 +217,7 @@ TEST_CASE("an empty scene shows its background, a camera inside a closed body se
 TEST_CASE("samples that are not finite are dropped and counted") {
     Scene scene = lit_sphere();
     Material broken;
-    broken.albedo = {0.5f, std::numeric_limits<float>::quiet_NaN(), 0.5f};
+    broken.base_color = {0.5f, std::numeric_limits<float>::quiet_NaN(), 0.5f};
     scene.set_material(0, broken);
     const RenderResult result = render::render(scene, {}, options_of(32, 24, 4));
     CHECK(result.bad_samples > 100);

@@ -77,6 +77,21 @@ TEST_CASE("every aligned block of 2^m samples of every pair is a (0, m, 2)-net")
     }
 }
 
+TEST_CASE("a batch has the numbers of its samples, to the bit") {
+    PixelSampler::Batch batch;
+    for (std::uint32_t index : {0u, 16u, 48u, 4096u, 0xfffffff0u}) {
+        for (std::uint32_t pair = 0; pair < 5; ++pair) {
+            const PixelSampler random(7, 1, 100, 50);
+            random(index, pair, batch);
+            for (std::size_t i = 0; i < PixelSampler::kBatch; ++i) {
+                const Sample2 single = random(index + static_cast<std::uint32_t>(i), pair);
+                CHECK(batch.u[i] == single.u);
+                CHECK(batch.v[i] == single.v);
+            }
+        }
+    }
+}
+
 TEST_CASE("numbers lie in [0, 1), even for the largest bits") {
     CHECK(to_unit(0) == 0.0f);
     CHECK(to_unit(0xffffffffu) < 1.0f);

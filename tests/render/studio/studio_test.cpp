@@ -65,6 +65,6 @@ TEST_CASE("bounds leave out what is not finite, and empty bounds are refused") {
     add_studio(scene, {}, bounds);
     CHECK(scene.mesh_count() == 1);
     // The ground lies just under the lowest point.
-    CHECK(scene.mesh(0).positions()[2] == Approx(0.0).margin(0.01));
-    CHECK(scene.mesh(0).positions()[2] < 0.0f);
+    CHECK(scene.mesh(0).positions(0)[2] == Approx(0.0).margin(0.01));
+    CHECK(scene.mesh(0).positions(0)[2] < 0.0f);
 }
