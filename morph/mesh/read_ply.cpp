@@ -231,6 +231,8 @@ void read_vertices(Values& values, const Element& element, SoupBuilder& soup) {
         }
     }
     if (element.count > std::numeric_limits<int>::max()) values.fail("more vertices than an int can count");
+    // With three properties check_count has bounded the number by the file's size.
+    soup.reserve(static_cast<std::size_t>(element.count), 0, 0);
     for (std::int64_t v = 0; v < element.count; ++v) {
         double xyz[3] = {0, 0, 0};
         for (std::size_t i = 0; i < element.properties.size(); ++i) {
@@ -288,7 +290,6 @@ PolygonSoup read_body(Values values, const Header& header) {
     for (const Element& element : header.elements) {
         check_count(values, element);
         if (element.name == "vertex") {
-            soup.reserve(static_cast<std::size_t>(element.count), 0, 0);
             read_vertices(values, element, soup);
         } else if (element.name == "face" && element.count > 0) {
             if (has_faces) values.fail("a second element 'face'");

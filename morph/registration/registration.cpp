@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -32,6 +33,18 @@ constexpr int kFewestFinePoints = 256, kMostFinePoints = 2048;  // of the fine s
 // (factor in the distance) they may be before.
 constexpr std::size_t kMediumCandidates = 16, kFineCandidates = 4;
 constexpr double kMediumRatio = 1.3, kFineRatio = 1.5;
+
+// Sizes of shapes of which one lacks a part, or that noise has swollen, mislead: sizes up to kSizeSteps steps
+// off are tried, first coarsely, then finely, and taken where the shapes then agree clearly better.
+constexpr int kSizeSteps = 8;
+constexpr double kCoarseSize = 1.04, kFineSize = 1.01;
+constexpr int kSizePoints = 320, kSizeIterations = 8;
+constexpr double kSameShape = 0.02;   // of the target's radius: samples of one surface are nearer than this
+constexpr double kBetterSize = 0.9;   // of the distance at equal sizes
+constexpr double kLeastGain = 0.005;  // of the target's radius: less may be chance of the samples
+// Points of a part that the target lacks draw the pose towards its border: the end of the way without them.
+constexpr double kPresent = 0.75;  // share of the source's points that go on
+constexpr int kPresentRounds = 4;
 
 constexpr double kConfidentRatio = 1.2;
 // Open meshes may face either way in their file; that both agree is the better guess among near equals.
@@ -66,6 +79,30 @@ public:
         return polished;
     }
 
+    // The polish alone, for the points of the source that lie nearest the target in the pose reached so far.
+    RigidMotion refine_present(RigidMotion motion, int max_iterations) const {
+        const EmIcpOptions options{.max_iterations = max_iterations, .neighbours = kNeighbours};
+        for (int round = 0; round < kPresentRounds; ++round) {
+            const Points moved = motion.apply(probes_.points);
+            std::vector<std::pair<double, int>> order;
+            for (int i = 0; i < probes_.size(); ++i) {
+                std::uint32_t nearest = 0;
+                double squared_distance = 0.0;
+                tree_.query(moved.row(i).data(), 1, &nearest, &squared_distance);
+                order.emplace_back(squared_distance, i);
+            }
+            std::sort(order.begin(), order.end());
+            order.resize(static_cast<std::size_t>(kPresent * static_cast<double>(order.size())));
+            std::vector<int> present;
+            for (const auto& [squared_distance, i] : order) present.push_back(i);
+            std::sort(present.begin(), present.end());
+            motion = polish_along_normals(probes_.points(present, Eigen::all), tree_, target_.normals, motion,
+                                          options)
+                         .motion;
+        }
+        return motion;
+    }
+
 private:
     SurfaceSample source_, target_, probes_;
     NearestPoints<3> tree_;
@@ -77,30 +114,87 @@ struct Solution {
     EmIcpResult em;
     double residual = 0.0;
     double runner_up = std::numeric_limits<double>::infinity();
+    double scale = 1.0;  // of the source, on top of its size
 };
 
-// Full EM-ICP from the candidates that are still in the running, and the distance of the next best pose:
-// among them, else the first different one of `others`.
-Solution refine_finally(const Scene& scene, const std::vector<Candidate>& candidates,
-                        const std::vector<Candidate>& others, int max_iterations) {
-    std::vector<Candidate> refined(candidates.size());
-    std::vector<EmIcpResult> results(candidates.size());
-    tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
-        results[i] = scene.refine(candidates[i].motion, max_iterations);
-        refined[i] = {results[i].motion, scene.distance(results[i].motion)};
+// A motion and the size of the source that goes with it.
+struct SizedCandidate {
+    double scale = 1.0;
+    Candidate pose;
+};
+
+SizedCandidate refined_at(double scale, const RigidMotion& start, SurfaceSample source,
+                          const SurfaceSample& target, int points, int max_iterations, bool certain) {
+    source.points *= scale;
+    source.spacing *= scale;
+    const Scene scene(source, target, points, certain);
+    SizedCandidate refined{scale, {scene.refine(start, max_iterations).motion, 0.0}};
+    refined.pose.distance = scene.distance(refined.pose.motion);
+    const RigidMotion present = scene.refine_present(refined.pose.motion, max_iterations);
+    if (const double distance = scene.distance(present); distance < refined.pose.distance)
+        refined.pose = {present, distance};
+    return refined;
+}
+
+// The best of sizes step^k around the one given, each with its own motion.
+SizedCandidate best_size(const SizedCandidate& from, double step, const SurfaceSample& source,
+                         const SurfaceSample& target, bool certain) {
+    std::vector<SizedCandidate> tries(2 * kSizeSteps + 1);
+    tbb::parallel_for(std::size_t{0}, tries.size(), [&](std::size_t k) {
+        const double scale = from.scale * std::pow(step, static_cast<double>(k) - kSizeSteps);
+        tries[k] = refined_at(scale, from.pose.motion, source, target, kSizePoints, kSizeIterations, certain);
     });
-    const std::size_t choice = least_turn_among_best(refined);
-    Solution solution{results[choice], refined[choice].distance};
+    return *std::min_element(tries.begin(), tries.end(),
+                             [](const auto& a, const auto& b) { return a.pose.distance < b.pose.distance; });
+}
+
+// The solution with the size of the source set right, if that makes both agree clearly better.
+Solution resized(Solution solution, const SurfaceSample& source, const SurfaceSample& target, int points,
+                 int max_iterations, bool certain) {
+    SizedCandidate best{1.0, {solution.em.motion, solution.residual}};
+    for (const double step : {kCoarseSize, kFineSize}) best = best_size(best, step, source, target, certain);
+    best = refined_at(best.scale, best.pose.motion, source, target, points, max_iterations, certain);
+    if (best.pose.distance > std::min(kBetterSize * solution.residual, solution.residual - kLeastGain))
+        return solution;
+    solution.scale = best.scale;
+    solution.em.motion = best.pose.motion;
+    solution.residual = best.pose.distance;
+    return solution;
+}
+
+// Full EM-ICP from the candidates that are still in the running, and the distance of the next best pose:
+// among them, else the first different one of `others`. All with the sizes set right, unless the shapes
+// agree.
+Solution refine_finally(const Scene& scene, const std::vector<Candidate>& candidates,
+                        const std::vector<Candidate>& others, int max_iterations,
+                        const std::function<Solution(const Solution&)>& resize) {
+    std::vector<Solution> solutions(candidates.size());
+    tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
+        solutions[i].em = scene.refine(candidates[i].motion, max_iterations);
+        solutions[i].residual = scene.distance(solutions[i].em.motion);
+    });
+    const bool agree = std::any_of(solutions.begin(), solutions.end(),
+                                   [](const Solution& s) { return s.residual < kSameShape; });
+    if (!agree) {
+        tbb::parallel_for(std::size_t{0}, solutions.size(),
+                          [&](std::size_t i) { solutions[i] = resize(solutions[i]); });
+    }
+    std::vector<Candidate> refined;
+    for (const Solution& solution : solutions) refined.push_back({solution.em.motion, solution.residual});
+    Solution solution = solutions[least_turn_among_best(refined)];
     for (const Candidate& candidate : refined) {
-        if (distinct(candidate.motion, solution.em.motion)) {
+        if (distinct(candidate.motion, solution.em.motion))
             solution.runner_up = std::min(solution.runner_up, candidate.distance);
-        }
     }
     if (std::isfinite(solution.runner_up)) return solution;
     const auto other = std::find_if(others.begin(), others.end(), [&](const Candidate& candidate) {
         return distinct(candidate.motion, solution.em.motion);
     });
-    if (other != others.end()) solution.runner_up = scene.distance(other->motion);
+    if (other == others.end()) return solution;
+    Solution second;
+    second.em.motion = other->motion;
+    second.residual = scene.distance(other->motion);
+    solution.runner_up = agree ? second.residual : resize(second).residual;
     return solution;
 }
 
@@ -138,7 +232,10 @@ Solution search(const Mesh& source, const SurfaceSize& source_size, const Mesh& 
         finalists.push_back(medium[calm]);
     }
     const Scene fine_scene(a, b, fine_points, certain);
-    return refine_finally(fine_scene, finalists, others, options.max_iterations);
+    return refine_finally(fine_scene, finalists, others, options.max_iterations,
+                          [&](const Solution& solution) {
+                              return resized(solution, a, b, fine_points, options.max_iterations, certain);
+                          });
 }
 
 }  // namespace
@@ -160,11 +257,11 @@ Registration register_rigid(const Mesh& source, const Mesh& target, const Regist
 
     const Solution solution = search(smooth_source ? *smooth_source : source, source_size,
                                      smooth_target ? *smooth_target : target, target_size, options);
-    const RigidMotion motion = settled_on_vertices(normalised(source, source_size),
+    const RigidMotion motion = settled_on_vertices(solution.scale * normalised(source, source_size),
                                                    normalised(target, target_size), solution.em.motion);
     Registration result;
     result.R = motion.R;
-    result.scale = target_size.radius / source_size.radius;
+    result.scale = solution.scale * target_size.radius / source_size.radius;
     result.t =
         target_size.radius * motion.t + target_size.centre - result.scale * (result.R * source_size.centre);
     result.sigma = mean_nearest_distance(result.apply(source.V), target.V);

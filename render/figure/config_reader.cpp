@@ -12,6 +12,10 @@
 namespace automorph::config {
 namespace {
 
+std::string shortened(const std::string& text) {
+    return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+}
+
 /// How an error quotes what stands in the file.
 std::string found(const YAML::Node& node) {
     switch (node.Type()) {
@@ -24,8 +28,7 @@ std::string found(const YAML::Node& node) {
         default:
             break;
     }
-    const std::string text = node.Scalar();
-    return "found '" + (text.size() > 60 ? text.substr(0, 57) + "..." : text) + "'";
+    return "found '" + shortened(node.Scalar()) + "'";
 }
 
 [[noreturn]] void reject(const YAML::Node& node, const ConfigKey& key, const Place& place) {
@@ -104,7 +107,10 @@ bool holds(const YAML::Node& node, const std::string& condition) {
 }  // namespace
 
 void Place::fail(const YAML::Mark& mark, const std::string& message) const {
-    throw ConfigError(fmt::format("{}:{}:{}: {}", file, mark.line + 1, mark.column + 1, message));
+    std::string line = message;  // keys and values may be of several
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    throw ConfigError(fmt::format("{}:{}:{}: {}", file, mark.line + 1, mark.column + 1, line));
 }
 
 std::string read_text(const YAML::Node& node, const ConfigKey& key, const Place& place) {
@@ -170,7 +176,7 @@ void check_keys(const YAML::Node& node, const std::vector<const ConfigKey*>& key
         const auto known = std::find(names.begin(), names.end(), name);
         if (known == names.end()) {
             place.fail(entry.first.Mark(),
-                       fmt::format("unknown key '{}' in {}{}; allowed are {}", name, where,
+                       fmt::format("unknown key '{}' in {}{}; allowed are {}", shortened(name), where,
                                    suggestion(name, names), fmt::join(names, ", ")));
         }
         if (std::find(seen.begin(), seen.end(), name) != seen.end()) {

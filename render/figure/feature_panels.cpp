@@ -48,7 +48,7 @@ private:
     const Mesh& mesh_;
     Points normals_;
     Subject subject_;
-    render::PinholeCamera camera_;
+    render::PictureCamera camera_;
     FigureCell cell_;
     Canvas canvas_;
     std::vector<Text> texts_;

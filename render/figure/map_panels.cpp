@@ -49,7 +49,7 @@ std::vector<std::pair<int, int>> edges_of(const Triangles& F) {
 FigureCell picture_with_edges(const Shooting& shooting, const Mesh& mesh) {
     Subject subject(shooting, mesh.V, mesh.F);
     FigureCell cell = subject.shoot(mesh.V, {});
-    const render::PinholeCamera camera(shooting.camera, shooting.width, shooting.height);
+    const render::PictureCamera camera(shooting.camera, shooting.width, shooting.height);
     const Points normals = vertex_normals(mesh);
     Canvas canvas(cell.image);
     const Canvas::Pen pen{drawing::kInk, drawing::scaled(shooting, 1.0 / 700, 0.5), 0.75};

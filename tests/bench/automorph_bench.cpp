@@ -6,6 +6,7 @@
 #include "overlay_bench.h"
 #include "tests/bench/accuracy_bench.h"
 #include "tests/bench/pairs_bench.h"
+#include "tests/bench/registration_bench.h"
 #include "tests/bench/render_bench.h"
 
 namespace {
@@ -20,6 +21,9 @@ constexpr const char* kHelp =
     "                                           pairs of the meshes in build/meshes and DIR, each in a "
     "process "
     "of its own\n"
+    "automorph_bench registration [--poses N] [--seed N] [--only TEXT]\n"
+    "                                           shapes found again from any pose, with noise, with parts "
+    "missing\n"
     "automorph_bench render [MESH.off]          rays per CPU second beside the smallest path tracer\n";
 
 }  // namespace
@@ -33,6 +37,8 @@ int main(int argc, char** argv) {
             return automorph::bench::accuracy_bench({arguments.begin() + 1, arguments.end()});
         if (!arguments.empty() && arguments[0] == "pairs")
             return automorph::bench::pairs_bench({arguments.begin() + 1, arguments.end()});
+        if (!arguments.empty() && arguments[0] == "registration")
+            return automorph::bench::registration_bench({arguments.begin() + 1, arguments.end()});
         if (!arguments.empty() && arguments[0] == "render")
             return automorph::bench::render_bench({arguments.begin() + 1, arguments.end()});
         std::fputs(kHelp, arguments.empty() || arguments[0] == "help" ? stdout : stderr);

@@ -1,5 +1,7 @@
 // Damaged files: whatever the bytes, a reader gives a soup or one line of error, in memory bounded by the
 // file's size, and admit() gives a valid mesh or one line of error.
+#include <unistd.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -136,7 +138,8 @@ std::string text_stl(const PolygonSoup& s) {
 
 /// What write_mesh makes of a mesh.
 std::string written(const Mesh& mesh, const std::string& extension) {
-    const auto file = std::filesystem::temp_directory_path() / ("automorph-damage" + extension);
+    const auto file = std::filesystem::temp_directory_path() /
+                      ("automorph-damage-" + std::to_string(::getpid()) + extension);
     write_mesh(file, mesh);
     std::ifstream in(file, std::ios::binary);
     std::string bytes((std::istreambuf_iterator<char>(in)), {});
@@ -322,4 +325,50 @@ TEST_CASE("any content under any name gives a result or an error") {
         for (const char* name : {"x.off", "x.obj", "x.ply", "x.stl"}) try_bytes(noise, name, outcome);
     }
     CHECK(outcome.read_errors > 6000);
+}
+
+TEST_CASE("ten million vertices claimed in a hundred bytes cost nothing") {
+    std::string stl(80, ' ');
+    for (const char c : {'\x80', '\x96', '\x98', '\x00'}) stl += c;  // 10,000,000 triangles
+    stl += std::string(50, '\0');
+    const std::string counts = "10000000 20000000 0\n",
+                      xyz = "property float x\nproperty float y\nproperty float z\n",
+                      list = "property list uchar int vertex_indices\nend_header\n";
+    const std::vector<Sample> claims = {
+        {"claim.off", "OFF\n" + counts + "0 0 0\n1 0 0\n"},
+        {"binary.off", "OFF BINARY\n" + std::string("\x00\x98\x96\x80\x01\x31\x2d\x00\x00\x00\x00\x00", 12)},
+        {"polygon.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n10000000 0 1 2\n"},
+        {"claim.ply",
+         "ply\nformat ascii 1.0\nelement vertex 10000000\n" + xyz + "element face 20000000\n" + list},
+        {"binary.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 10000000\n" + xyz +
+                           "element face 20000000\n" + list + "0123456789"},
+        {"empty.ply",
+         "ply\nformat binary_little_endian 1.0\nelement vertex 10000000\nelement face 0\n" + list},
+        {"claim.stl", stl},
+        {"claim.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 10000000\n"}};
+    for (const Sample& claim : claims) {
+        INFO(claim.name);
+        Outcome outcome;
+        try_bytes(claim.bytes, claim.name, outcome);  // measures the memory
+        CHECK(outcome.read_errors == 1);
+    }
+}
+
+TEST_CASE("zero bytes, wrong beginnings and byte order marks are errors that name the file") {
+    for (const char* extension : {".off", ".obj", ".ply", ".stl"}) {
+        for (const std::string& bytes :
+             {std::string(), std::string("\0", 1), std::string(200, '\0'), std::string("PK\x03\x04"),
+              std::string("\xff\xfe"), std::string("\n\n\n")}) {
+            // In any script.
+            for (const char* name : {"netz", "\xe7\xbd\x91\xe6\xa0\xbc",
+                                     "se\xc3\xb1"
+                                     "al \xf0\x9f\x99\x82"}) {
+                INFO(name << extension << ", " << bytes.size() << " bytes");
+                Outcome outcome;
+                try_bytes(bytes, std::string(name) + extension, outcome);
+                CHECK(outcome.admitted == 0);
+                CHECK(outcome.read_errors + outcome.refused >= 1);
+            }
+        }
+    }
 }

@@ -208,6 +208,25 @@ TEST_CASE("different crops of one shape still find their pose") {
     }
 }
 
+TEST_CASE("a shape of which the other has only a part is found at its own size") {
+    test::Random random(13);
+    const Mesh whole = test::stretched(test::with_bumps(test::icosphere(4), 0.4), {1.3, 1.0, 0.7});
+    const Mesh part = test::re_tessellated(test::cropped(whole, Eigen::Vector3d(1, 0.1, 0.3), -0.6));
+    for (int trial = 0; trial < 3; ++trial) {
+        const Pose pose(random);
+        for (const bool backwards : {false, true}) {
+            const Registration found =
+                backwards ? register_rigid(part, pose.of(whole)) : register_rigid(whole, pose.of(part));
+            CAPTURE(backwards, found.scale / pose.scale);
+            const bool right = degrees(rotation_angle(found.R * pose.R.transpose())) < 5.0;
+            CHECK((right || !found.confident));
+            if (!backwards) CHECK(right);
+            // By the sizes alone it would be 10 % off.
+            if (right) CHECK(std::abs(found.scale / pose.scale - 1.0) < 0.02);
+        }
+    }
+}
+
 TEST_CASE("a re-posed copy is laid exactly on its vertices, in any order") {
     test::Random random(10);
     const Mesh a = test::with_bumps(test::icosphere(3), 0.4);
