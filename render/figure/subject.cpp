@@ -63,7 +63,8 @@ bool Subject::sees(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) 
     const Eigen::Vector3d lifted = point + kLift * shooting_.bounds.radius() * normal;
     const Eigen::Vector3d to_camera = shooting_.camera.position - lifted;
     if (normal.dot(to_camera) <= 0.0) return false;
-    return !scene_.embree().occluded(lifted.cast<float>(), to_camera.cast<float>(), 1.0f);
+    const render::Ray ray{lifted.cast<float>(), to_camera.normalized().cast<float>()};
+    return !scene_.embree().occluded(ray, static_cast<float>(to_camera.norm()));
 }
 
 }  // namespace automorph
