@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <yaml-cpp/eventhandler.h>
 
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include "render/figure/config_keys.h"
 
@@ -19,6 +21,41 @@ std::string range_text(const ConfigKey& key) {
     if (below) return fmt::format(" of at least {}", *key.least);
     if (above) return fmt::format(" of at most {}", *key.most);
     return "";
+}
+
+/// Refuses a second document. YAML::LoadAll must not see one: of some texts that begin indented it makes
+/// documents without end.
+class OneDocument : public YAML::EventHandler {
+public:
+    explicit OneDocument(const config::Place& place) : place_(place) {}
+
+    void OnDocumentStart(const YAML::Mark& mark) override {
+        if (++documents_ > 1) place_.fail(mark, "a second document ('---'); one config per file");
+    }
+    void OnDocumentEnd() override {}
+    void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+    void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+    void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+    void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                         YAML::EmitterStyle::value) override {}
+    void OnSequenceEnd() override {}
+    void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                    YAML::EmitterStyle::value) override {}
+    void OnMapEnd() override {}
+
+private:
+    const config::Place& place_;
+    int documents_ = 0;
+};
+
+/// The config's only document.
+YAML::Node read_document(const std::string& text, const config::Place& place) {
+    std::istringstream stream(text);
+    YAML::Parser parser(stream);
+    OneDocument only(place);
+    while (parser.HandleNextDocument(only)) {
+    }
+    return YAML::Load(text);
 }
 
 }  // namespace
@@ -38,10 +75,7 @@ FigureConfig parse_config(const std::string& text, const std::filesystem::path& 
     figure.text = text;
     figure.output = std::filesystem::path("out") / file.stem();
     try {
-        const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-        if (documents.size() > 1)
-            place.fail(documents[1].Mark(), "a second document ('---'); one config per file");
-        const YAML::Node top = documents.empty() ? YAML::Node() : documents.front();
+        const YAML::Node top = read_document(text, place);
         if (top.IsNull()) {
             throw ConfigError(file.string() +
                               ":1:1: found nothing, expected a config ('automorph config --explain')");

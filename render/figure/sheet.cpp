@@ -16,7 +16,7 @@ using render::Image;
 using render::TextStyle;
 using render::VerticalAlign;
 
-// Sizes in proportion to a cell's width, or to a quarter (at least half a cell) of the row where it has
+// Sizes in proportion to a cell's width, or to a third of the row where it has
 // fewer. At 480 pixels a cell printed 4 cm wide, labels have 8 points.
 constexpr double kLabelSize = 1.0 / 13;
 constexpr double kTitleSize = 1.0 / 10;
@@ -65,7 +65,7 @@ int text_width(const std::string& text, int size) {
 
 /// What sizes are in proportion to, pixels.
 int text_unit(const std::vector<std::vector<Image>>& cells) {
-    constexpr int kUsualColumns = 4;
+    constexpr int kUsualColumns = 3;
     const int columns = std::max(2, static_cast<int>(cells.front().size()));
     return cells.front().front().width * std::min(columns, kUsualColumns) / kUsualColumns;
 }

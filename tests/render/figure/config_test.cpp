@@ -270,7 +270,7 @@ TEST_CASE("a missing or repeated key is refused") {
     check_error(kShortest + "seed: 1\nseed: 2\n", "5:1", {"'seed' is given twice in the config"});
     check_error("", "1:1", {"found nothing"});
     check_error("# only a comment\n", "1:1", {"found nothing"});
-    check_error(kShortest + "---\n" + kShortest, "5:1", {"a second document"});
+    check_error(kShortest + "---\n" + kShortest, "4:1", {"a second document"});
 }
 
 TEST_CASE("broken YAML is refused with its position") {
