@@ -21,6 +21,9 @@ struct Material {
                      1.0f};            ///< reflectance of metal at grazing incidence (Schlick's Fresnel term)
     Color emission{0.0f, 0.0f, 0.0f};  ///< radiance; found by camera and scattered rays only: for large faint
                                        ///< sources. Small bright ones belong in a light.
+    float wire_width =
+        0.0f;  ///< pixels of the picture; above 0, the edges of the triangles are drawn so wide
+    Color wire_color{0.02f, 0.02f, 0.02f};  ///< albedo of the drawn edges
     /// Seen by the camera, the surface is diffuse with the albedo with which it would have the background's
     /// radiance if nothing stood on it: a ground that shows shadows only and has no horizon. The surface must
     /// be flat. To other rays it is what the parameters above say.

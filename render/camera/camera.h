@@ -31,6 +31,9 @@ public:
     const Vec3& origin() const { return origin_; }
     Vec3 forward() const { return forward_.cast<float>(); }  ///< unit, the view
 
+    /// Side of a pixel at distance 1 along the view.
+    float pixel_size() const { return step_y_.norm(); }
+
     /// Whether rays start from more than one point.
     bool has_lens() const { return lens_radius_ > 0.0f; }
 

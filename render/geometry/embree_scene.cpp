@@ -161,7 +161,11 @@ EmbreeScene::EmbreeScene(const Options& options) : state_(std::make_unique<State
         },
         &state);
     state.scene = rtcNewScene(state.device);
-    if (options.refit) rtcSetSceneFlags(state.scene, RTC_SCENE_FLAG_DYNAMIC);
+    if (options.refit) {
+        // Only trees of low quality have one level per mesh, which is what is refitted.
+        rtcSetSceneFlags(state.scene, RTC_SCENE_FLAG_DYNAMIC);
+        rtcSetSceneBuildQuality(state.scene, RTC_BUILD_QUALITY_LOW);
+    }
     state.check("make a scene");
 }
 

@@ -15,6 +15,12 @@ Scene& Scene::operator=(Scene&&) noexcept = default;
 int Scene::add_mesh(const Points& V, const Triangles& F, const MeshOptions& options) {
     const int id = mesh_count();
     meshes_.emplace_back(V, F, options.normals, options.vertex_normals, options.time_steps);
+    try {
+        meshes_.back().color(options.vertex_colors);
+    } catch (...) {
+        meshes_.pop_back();
+        throw;
+    }
     materials_.push_back(options.material);
     embree_->attach(static_cast<std::uint32_t>(id), meshes_.back());
     return id;
@@ -34,6 +40,10 @@ void Scene::move_mesh(int mesh, const std::vector<Points>& steps) {
 bool Scene::has_motion() const {
     return std::any_of(meshes_.begin(), meshes_.end(),
                        [](const TriangleMesh& mesh) { return mesh.time_steps() > 1; });
+}
+
+void Scene::color_mesh(int mesh, const Points& colors) {
+    meshes_[static_cast<std::size_t>(mesh)].color(colors);
 }
 
 void Scene::set_material(int mesh, const Material& material) {

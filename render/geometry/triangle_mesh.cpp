@@ -100,6 +100,14 @@ void TriangleMesh::move(const std::vector<Points>& steps) {
     ray_offset_ = kRayOffset * largest;
 }
 
+void TriangleMesh::color(const Points& colors) {
+    if (colors.rows() != 0 && colors.rows() != vertex_count()) {
+        throw InvalidMesh(
+            fmt::format("{} vertex colours are given for {} vertices", colors.rows(), vertex_count()));
+    }
+    colors_ = to_floats(colors, 0);
+}
+
 std::array<Vec3, 3> TriangleMesh::blend(const std::vector<std::vector<float>>& steps, std::uint32_t triangle,
                                         float time) const {
     const auto last = static_cast<float>(steps.size() - 1);

@@ -42,6 +42,13 @@ public:
         return normals_.size() == 1 ? gather(normals_.front(), triangle) : blend(normals_, triangle, time);
     }
 
+    /// Gives every vertex a colour, #V x 3, linear; none take them away.
+    /// @throws InvalidMesh if their number is neither #V nor 0
+    void color(const Points& colors);
+    bool has_colors() const { return !colors_.empty(); }
+    /// @pre has_colors()
+    std::array<Vec3, 3> corner_colors(std::uint32_t triangle) const { return gather(colors_, triangle); }
+
     /// Distance by which rays start off the surface: a few units in the last place of the largest coordinate.
     float ray_offset() const { return ray_offset_; }
 
@@ -64,6 +71,7 @@ private:
     std::vector<std::vector<float>> positions_;  ///< by time step
     std::vector<std::uint32_t> indices_;
     std::vector<std::vector<float>> normals_;  ///< by time step #V x 3; one if given, none if flat
+    std::vector<float> colors_;                ///< #V x 3, may be empty
     bool smooth_;
     bool given_normals_ = false;
     float ray_offset_ = 0.0f;

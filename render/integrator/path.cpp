@@ -40,12 +40,18 @@ struct PathTracer::Vertex {
                material.diffuse ? Vec3(0, 0, 1) : frame.to_local(-ray.direction), surface.front) {
         if (depth == 0 && material.material.shadow_catcher)
             bsdf = Bsdf::diffuse(tracer.catcher_albedo(hit.mesh, surface));
+        if (depth == 0 && material.material.wire_width > 0.0f && tracer.on_wire(ray, hit, surface)) {
+            surface.base_color = material.material.wire_color;
+            bsdf = Bsdf::diffuse(surface.base_color);
+        }
     }
 };
 
-PathTracer::PathTracer(const Scene& scene, const RenderOptions& options)
+PathTracer::PathTracer(const Scene& scene, const PictureCamera& camera, const RenderOptions& options)
     : scene_(scene),
       options_(options),
+      view_(camera.forward()),
+      pixel_size_(camera.pixel_size()),
       lights_(scene.lights, scene.sphere_lights, scene.sky),
       background_(scene.background.value_or(Color::Zero())),
       map_is_sampled_(scene.sky.map && scene.sky.map->power() > 0.0f) {
@@ -102,6 +108,14 @@ Color PathTracer::direct_light(const Vertex& vertex, float choice, Sample2 place
     if (scene_.embree().occluded(shadow, light->far)) return Color::Zero();
     const float weight = options_.lights == LightStrategy::Lights ? 1.0f : mis_weight(light->pdf, value.pdf);
     return weight / light->pdf * value.f_cos * light->radiance;
+}
+
+// Whether a camera ray met a drawn edge of a triangle.
+bool PathTracer::on_wire(const Ray& ray, const Hit& hit, const SurfacePoint& surface) const {
+    const float depth = (surface.position - ray.origin).dot(view_);
+    const float distance =
+        edge_distance(scene_.mesh(static_cast<int>(hit.mesh)), hit.triangle, surface.position, ray);
+    return distance < 0.5f * materials_[hit.mesh].material.wire_width * pixel_size_ * depth;
 }
 
 // The albedo with which an unshadowed ground has exactly the background's radiance.

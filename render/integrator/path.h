@@ -27,7 +27,7 @@ class PathTracer {
 public:
     /// @pre the scene is committed and stays unchanged while this object lives
     /// @throws ConfigError if a material is out of range
-    PathTracer(const Scene& scene, const RenderOptions& options);
+    PathTracer(const Scene& scene, const PictureCamera& camera, const RenderOptions& options);
 
     /// Radiance along a camera ray with known first hit: one sample of the path integral. Thread-safe.
     /// @param rays   counts the rays traced
@@ -40,6 +40,7 @@ public:
 
 private:
     struct Vertex;
+    bool on_wire(const Ray& ray, const Hit& hit, const SurfacePoint& surface) const;
     float found_weight(int depth, float bsdf_pdf, float light_pdf) const;
     Color light_on_the_way(const Ray& ray, const Vec3& normal, float far, int depth, float bsdf_pdf) const;
     Color sky(const Ray& ray, const Vec3& normal, int depth, float bsdf_pdf) const;
@@ -53,6 +54,8 @@ private:
 
     const Scene& scene_;
     const RenderOptions& options_;
+    Vec3 view_;         ///< unit
+    float pixel_size_;  ///< of a pixel at distance 1 along the view
     LightSet lights_;
     std::vector<PreparedMaterial> materials_;  ///< by mesh
     std::vector<CatcherSky> catcher_sky_;      ///< by mesh, of shadow catchers

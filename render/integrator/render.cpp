@@ -302,7 +302,7 @@ RenderResult render(Scene& scene, const Camera& camera, const RenderOptions& opt
     const auto work = [&] {
         scene.commit();
         const auto start = std::chrono::steady_clock::now();
-        const PathTracer tracer(scene, options);
+        const PathTracer tracer(scene, view, options);
         Film film(scene, tracer, view, options);
         render_film(film, options, result);
         result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

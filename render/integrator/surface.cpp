@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace automorph::render {
 namespace {
@@ -30,6 +31,18 @@ Vec3 geometric_normal(const TriangleMesh& mesh, std::uint32_t triangle) {
     return length2 > 0.0f ? Vec3(area_normal / std::sqrt(length2)) : Vec3::Zero();
 }
 
+float edge_distance(const TriangleMesh& mesh, std::uint32_t triangle, const Vec3& place, const Ray& ray) {
+    const std::array<Vec3, 3> p = mesh.corners(triangle, ray.time);
+    const auto across = [&](const Vec3& v) { return Vec3(v - v.dot(ray.direction) * ray.direction); };
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 edge = across(p[(k + 1) % 3] - p[k]), from = across(place - p[k]);
+        const float length2 = edge.squaredNorm();
+        if (length2 > 0.0f) least = std::min(least, cross(edge, from).squaredNorm() / length2);
+    }
+    return std::sqrt(least);
+}
+
 SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Ray& ray) {
     const Vec3& direction = ray.direction;
     const TriangleMesh& mesh = scene.mesh(static_cast<int>(hit.mesh));
@@ -37,7 +50,12 @@ SurfacePoint surface_point(const Scene& scene, const Hit& hit, const Ray& ray) {
     const std::array<float, 3> b = barycentric(p, ray.origin, direction);
 
     SurfacePoint point;
-    point.base_color = scene.material(static_cast<int>(hit.mesh)).base_color;
+    if (mesh.has_colors()) {
+        const std::array<Vec3, 3> c = mesh.corner_colors(hit.triangle);
+        point.base_color = b[0] * c[0].array() + b[1] * c[1].array() + b[2] * c[2].array();
+    } else {
+        point.base_color = scene.material(static_cast<int>(hit.mesh)).base_color;
+    }
     point.position = b[0] * p[0] + b[1] * p[1] + b[2] * p[2];
     const Vec3 area_normal = cross(Vec3(p[1] - p[0]), Vec3(p[2] - p[0]));
     const float length2 = area_normal.squaredNorm();

@@ -20,6 +20,10 @@ struct SurfacePoint {
     bool front;  ///< whether the ray came to the side from which the triangle is counter-clockwise
 };
 
+/// Distance of a place on a triangle from the nearest of its edges, as seen along the ray: across it, scene
+/// units.
+float edge_distance(const TriangleMesh& mesh, std::uint32_t triangle, const Vec3& place, const Ray& ray);
+
 /// Unit normal of the side from which the triangle is counter-clockwise; zero if it has no area.
 Vec3 geometric_normal(const TriangleMesh& mesh, std::uint32_t triangle);
 
