@@ -20,7 +20,8 @@ struct SceneOptions {
     /// Passed to Embree's device. "isa=sse4.2" gives the same bits on every x86-64 machine (goldens need it);
     /// empty takes the best instruction set there is.
     std::string embree_config;
-    /// After move_mesh, refit the tree instead of building it anew: some 16 times quicker, rays 5 to 10 % slower.
+    /// After move_mesh, refit the tree instead of building it anew: some 16 times quicker, rays 5 to 10 %
+    /// slower.
     bool refit = false;
 };
 

@@ -1,6 +1,7 @@
 #include "render/studio/studio.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "morph/mesh/errors.h"
@@ -9,14 +10,26 @@ namespace automorph::render {
 namespace {
 
 // Lengths in radii of the bounds.
-constexpr double kKeyDistance = 4.0;
-constexpr double kKeySide = 2.8;      // a large light: shadows with soft edges
 constexpr double kGroundSide = 60.0;  // beyond, the background is the same
 constexpr double kGroundGap = 1e-3;   // under the lowest point
 
-// Irradiance of the key light at the centre, and radiance of the sky: clay that faces the key comes to 0.8.
-constexpr float kKeyIrradiance = 2.25f;
-constexpr float kSkyRadiance = 0.26f;
+/// A square light as a photographer places it: seen from the shape, so much of the way towards the camera, to
+/// its right and upwards.
+struct StudioLight {
+    double towards_camera, right, up;
+    double distance, side;  ///< radii; large lights make soft shadows
+    float irradiance;       ///< at the centre of the bounds
+    Color tint;
+};
+
+// The key models the shape from the upper left, the fill opens its shadows from the right at the height of
+// the eyes, the rim sets its far edge off. With the sky, clay that faces the key comes to 0.8.
+const std::array<StudioLight, 3> kLights{{
+    {0.60, -0.70, 0.75, 4.0, 2.0, 2.35f, {1.02f, 1.0f, 0.96f}},
+    {0.70, 1.00, -0.05, 4.0, 3.2, 0.36f, {0.96f, 1.0f, 1.04f}},
+    {-0.60, 1.00, 0.55, 4.0, 1.8, 0.90f, {1.0f, 1.0f, 1.0f}},
+}};
+constexpr float kSkyRadiance = 0.15f;
 
 }  // namespace
 
@@ -43,15 +56,17 @@ void add_studio(Scene& scene, const Camera& camera, const Bounds& bounds, const 
     const Eigen::Vector3d right = cross(forward, up).normalized();
     const Eigen::Vector3d level = cross(up, right);  // the view without its slope
 
-    const Eigen::Vector3d to_key = (-0.6 * level - 0.5 * right + 1.05 * up).normalized();
-    const Eigen::Vector3d key = bounds.center() + kKeyDistance * radius * to_key;
-    const auto distance = static_cast<float>(kKeyDistance * radius),
-               side = static_cast<float>(kKeySide * radius);
-    const float radiance = kKeyIrradiance * distance * distance / (side * side);
-    RectangleLight light = square_light(key.cast<float>(), bounds.center().cast<float>(), side,
-                                        radiance * Color(1.02f, 1.0f, 0.96f));
-    light.visible_to_camera = false;
-    scene.lights.push_back(light);
+    for (const StudioLight& each : kLights) {
+        const Eigen::Vector3d to_light =
+            (-each.towards_camera * level + each.right * right + each.up * up).normalized();
+        const Eigen::Vector3d center = bounds.center() + each.distance * radius * to_light;
+        const auto ratio = static_cast<float>(each.distance / each.side);
+        RectangleLight light =
+            square_light(center.cast<float>(), bounds.center().cast<float>(),
+                         static_cast<float>(each.side * radius), each.irradiance * ratio * ratio * each.tint);
+        light.visible_to_camera = false;
+        scene.lights.push_back(light);
+    }
     scene.sky.radiance = kSkyRadiance * Color(0.97f, 1.0f, 1.04f);
     scene.background = options.background;
 
