@@ -85,6 +85,17 @@ Json json(const SphereAlignmentReport& alignment) {
             {"after", alignment.after}};
 }
 
+Json json(const FrameReport& frame) {
+    return {{"alpha", frame.alpha},
+            {"reversed", frame.reversed},
+            {"self_intersecting", frame.self_intersecting},
+            {"area", frame.area},
+            {"volume", frame.volume},
+            {"area_ratio", frame.area_ratio},
+            {"volume_ratio", frame.volume_ratio},
+            {"smallest_angle", frame.smallest_angle}};
+}
+
 Json json(const StageReport& stage) {
     return {{"name", stage.name}, {"seconds", stage.seconds}, {"peak_memory_mb", stage.peak_memory_mb}};
 }
@@ -112,7 +123,8 @@ std::string report_json(const Report& report) {
                        {"overlays", json(report.overlays)},
                        {"reopened_triangles", report.reopened_triangles},
                        {"notes", report.notes},
-                       {"stages", json(report.stages)}};
+                       {"stages", json(report.stages)},
+                       {"frames", json(report.frames)}};
     return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

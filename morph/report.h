@@ -77,6 +77,17 @@ struct OverlayReport {
     int flattened_a = 0, flattened_b = 0;  ///< merged vertices left on flat facets to keep those from turning
 };
 
+/// What a frame looks like (frame_check.h).
+struct FrameReport {
+    double alpha = 0;
+    int reversed = 0;           ///< triangles that face against both ends
+    int self_intersecting = 0;  ///< triangles that pass through others
+    double area = 0,
+           volume = 0;  ///< scene units; the volume of open shapes is that of the cone to their centre
+    double area_ratio = 1, volume_ratio = 1;  ///< to what lies between the ends, lengths interpolated
+    double smallest_angle = 0;                ///< degrees, of triangles with area
+};
+
 struct StageReport {
     std::string name;
     double seconds = 0;
@@ -107,6 +118,7 @@ struct Report {
     int reopened_triangles = 0;      ///< merged triangles removed because they lie in filled openings
     std::vector<std::string> notes;  ///< what the user should know, one sentence each
     std::vector<StageReport> stages;
+    std::vector<FrameReport> frames;  ///< empty unless they were asked for: report_with_frames()
 };
 
 /// The report as indented JSON; the rotation is nine numbers row by row.

@@ -35,12 +35,14 @@ constexpr std::size_t kMediumCandidates = 16, kFineCandidates = 4;
 constexpr double kMediumRatio = 1.3, kFineRatio = 1.5;
 
 // Sizes of shapes of which one lacks a part, or that noise has swollen, mislead: sizes up to kSizeSteps steps
-// off are tried, first coarsely, then finely, and taken where the shapes then agree clearly better.
+// off are tried, first coarsely, then finely, and taken where the shapes then are the same.
 constexpr int kSizeSteps = 8;
 constexpr double kCoarseSize = 1.04, kFineSize = 1.01;
 constexpr int kSizePoints = 320, kSizeIterations = 8;
 constexpr double kSameShape = 0.02;   // of the target's radius: samples of one surface are nearer than this
 constexpr double kBetterSize = 0.9;   // of the distance at equal sizes
+constexpr double kAgree = 0.03;       // of the target's radius: different shapes keep the sizes they have
+constexpr double kHopeless = 2.0;     // times kAgree, at the coarse sizes: the rest of the search is spared
 constexpr double kLeastGain = 0.005;  // of the target's radius: less may be chance of the samples
 // Points of a part that the target lacks draw the pose towards its border: the end of the way without them.
 constexpr double kPresent = 0.75;  // share of the source's points that go on
@@ -152,9 +154,12 @@ SizedCandidate best_size(const SizedCandidate& from, double step, const SurfaceS
 Solution resized(Solution solution, const SurfaceSample& source, const SurfaceSample& target, int points,
                  int max_iterations, bool certain) {
     SizedCandidate best{1.0, {solution.em.motion, solution.residual}};
-    for (const double step : {kCoarseSize, kFineSize}) best = best_size(best, step, source, target, certain);
+    best = best_size(best, kCoarseSize, source, target, certain);
+    if (best.pose.distance > kHopeless * kAgree) return solution;
+    best = best_size(best, kFineSize, source, target, certain);
     best = refined_at(best.scale, best.pose.motion, source, target, points, max_iterations, certain);
-    if (best.pose.distance > std::min(kBetterSize * solution.residual, solution.residual - kLeastGain))
+    if (best.pose.distance >
+        std::min({kAgree, kBetterSize * solution.residual, solution.residual - kLeastGain}))
         return solution;
     solution.scale = best.scale;
     solution.em.motion = best.pose.motion;

@@ -18,7 +18,7 @@ struct Registration {
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  ///< rotation, det = +1
     Eigen::Vector3d t = Eigen::Vector3d::Zero();      ///< in target units
     double scale = 1.0;      ///< target units per source unit, from the shapes' sizes; where another size
-                             ///< within a third makes them agree clearly better, by that
+                             ///< within a third makes them the same, by that
     double sigma = 0.0;      ///< final sigma_p of Eq. (7), in target units
     double residual = 0.0;   ///< symmetric trimmed distance with normals, relative to the target's size
     double runner_up = 0.0;  ///< residual of the best clearly different pose (> 15 degrees away)

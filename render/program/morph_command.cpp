@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "morph/frame_check.h"
 #include "morph/mesh/errors.h"
 #include "morph/mesh/io.h"
 #include "morph/morph.h"
@@ -51,7 +52,7 @@ void run(const MorphArguments& arguments, const Surroundings& surroundings) {
         written += arguments.correspondence.string() + "\n";
     }
     if (!arguments.report.empty()) {
-        write_text_file(arguments.report, report_json(result.report()) + "\n");
+        write_text_file(arguments.report, report_json(report_with_frames(result)) + "\n");
         written += arguments.report.string() + "\n";
     }
     if (surroundings.quiet) return;
