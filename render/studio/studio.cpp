@@ -22,8 +22,8 @@ struct StudioLight {
     Color tint;
 };
 
-// The key models the shape from the upper left, the fill opens its shadows from the right, so high that its own
-// shadow stays near. With the sky, clay that faces the key comes to 0.8.
+// The key models the shape from the upper left, the fill opens its shadows from the right, so high that its
+// own shadow stays near. With the sky, clay that faces the key comes to 0.8.
 const std::array<StudioLight, 2> kLights{{
     {0.60, -0.70, 0.85, 4.0, 2.2, 2.28f, {1.02f, 1.0f, 0.96f}},
     {0.85, 0.80, 0.60, 4.0, 3.2, 0.36f, {0.96f, 1.0f, 1.04f}},
