@@ -11,7 +11,7 @@ using automorph::render::Image;
 
 namespace {
 
-// Reasons: golden/fig7/README.md.
+// Reasons: golden/README.md.
 constexpr double kLargestRmse = 0.001;  // of linear radiance; the background has 1
 constexpr double kOutlier = 0.1;        // a pixel that differs by more in a channel counts as one
 constexpr int kMostOutliers = 2;        // of 6400 pixels
