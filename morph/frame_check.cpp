@@ -21,25 +21,18 @@ using Eigen::Vector3d;
 constexpr double kManyReversed = 1e-3, kManyCrossing = 2e-3;
 constexpr double kLeastArea = 0.8, kLeastVolume = 0.7, kMostVolume = 1.4;
 
-/// A triangle of less height than this is flat, and faces nowhere; in bounding box diagonals.
-constexpr double kRounding = 1e-10;
-
-/// Twice the area vector.
-Vector3d facing(const Points& V, const Triangles& F, Eigen::Index f) {
-    const Vector3d p = V.row(F(f, 0)), q = V.row(F(f, 1)), r = V.row(F(f, 2));
-    return (q - p).cross(r - p);
-}
-
 /// Triangles that face against both ends, each turned as far as the frame is.
-int reversed_triangles(const Points& V, const Triangles& F, const Endpoints& ends,
+/// @param R     from the first end to the last
+/// @param turn  from the first end to the frame
+int reversed_triangles(const Points& V, const Triangles& F, const Endpoints& ends, const Eigen::Matrix3d& R,
                        const Eigen::Matrix3d& turn) {
     int count = 0;
-    const double flat = kRounding * bounding_box_diagonal(V);
+    const double flat = kFlatHeight * bounding_box_diagonal(V);
     for (Eigen::Index f = 0; f < F.rows(); ++f) {
-        const Vector3d n = facing(V, F, f), p = V.row(F(f, 0)), q = V.row(F(f, 1)), r = V.row(F(f, 2));
-        if (n.norm() < flat * std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()})) continue;
-        count += n.dot(turn * facing(ends.a, F, f)) < 0.0 &&
-                 n.dot(turn * ends.R.transpose() * facing(ends.b, F, f)) < 0.0;
+        const Vector3d n = doubled_area_vector(V, F, f);
+        if (n.norm() < flat * longest_edge(V, F, f)) continue;
+        count += n.dot(turn * doubled_area_vector(ends.a, F, f)) < 0.0 &&
+                 n.dot(turn * R.transpose() * doubled_area_vector(ends.b, F, f)) < 0.0;
     }
     return count;
 }
@@ -60,13 +53,11 @@ double smallest_angle(const Points& V, const Triangles& F) {
 
 FrameReport looked_at(const Morph& morph, Interpolation scheme, double alpha) {
     const Mesh frame = morph.mesh(alpha, scheme);
-    const Eigen::Matrix3d turn = scheme == Interpolation::Linear ? Eigen::Matrix3d::Identity().eval()
-                                                                 : slerp(morph.endpoints().R, alpha);
+    const Eigen::Matrix3d R =
+        scheme == Interpolation::Linear ? Eigen::Matrix3d::Identity().eval() : morph.endpoints().R;
     FrameReport report;
     report.alpha = alpha;
-    Endpoints ends = morph.endpoints();
-    if (scheme == Interpolation::Linear) ends.R.setIdentity();
-    report.reversed = reversed_triangles(frame.V, frame.F, ends, turn);
+    report.reversed = reversed_triangles(frame.V, frame.F, morph.endpoints(), R, slerp(R, alpha));
     const std::vector<char> crossing = self_intersecting(frame);
     report.self_intersecting = static_cast<int>(std::count(crossing.begin(), crossing.end(), 1));
     report.area = triangle_areas(frame).sum();

@@ -20,26 +20,18 @@ std::vector<Site> composed(const std::vector<Site>& merged, const std::vector<Si
     return result;
 }
 
-/// A triangle of less height than this is flat, and faces nowhere; in bounding box diagonals.
-constexpr double kRounding = 1e-10;
-
 /// Merged triangles that face against the triangle they lie in: indices.
 /// @param points  #merged x 3 places of merged vertices on the part's shape
 /// @param parent  per merged triangle: the part's triangle
 std::vector<Eigen::Index> turned_triangles(const Triangles& F, const Points& points, const Mesh& part,
                                            const std::vector<int>& parent) {
-    const double flat = kRounding * bounding_box_diagonal(part.V);
-    const auto normal = [](const Points& V, const auto& corners) -> Eigen::Vector3d {
-        const Eigen::Vector3d p = V.row(corners[0]), q = V.row(corners[1]), r = V.row(corners[2]);
-        return (q - p).cross(r - p);
-    };
+    const double flat = kFlatHeight * bounding_box_diagonal(part.V);
     std::vector<Eigen::Index> turned;
     for (Eigen::Index f = 0; f < F.rows(); ++f) {
-        const Eigen::Vector3d p = points.row(F(f, 0)), q = points.row(F(f, 1)), r = points.row(F(f, 2));
-        const double longest = std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
         const Eigen::Vector3d facing =
-            normal(part.V, part.F.row(parent[static_cast<std::size_t>(f)])).stableNormalized();
-        if (normal(points, F.row(f)).dot(facing) < -flat * longest) turned.push_back(f);
+            doubled_area_vector(part.V, part.F, parent[static_cast<std::size_t>(f)]).stableNormalized();
+        if (doubled_area_vector(points, F, f).dot(facing) < -flat * longest_edge(points, F, f))
+            turned.push_back(f);
     }
     return turned;
 }
@@ -53,24 +45,31 @@ Points place_on(const Shape& shape, const std::vector<Site>& sites, bool curved)
     return curved ? lift(shape.mesh.V, shape.normals, sites) : place(shape.mesh.V, sites);
 }
 
+struct Flattened {
+    int vertices = 0;  ///< put back on their facets
+    int turned = 0;    ///< triangles that are turned still
+};
+
 /// Puts the corners of turned triangles back on their facets, until none is turned or there is nothing left
-/// to put back. Returns the number of merged vertices put back.
-int flatten_turned(const Triangles& F, const Points& flat, const Mesh& part, const std::vector<int>& parent,
-                   Points& points) {
-    int flattened = 0;
+/// to put back.
+Flattened flatten_turned(const Triangles& F, const Points& flat, const Mesh& part,
+                         const std::vector<int>& parent, Points& points) {
+    Flattened result;
     for (bool again = true; again;) {
         again = false;
-        for (const Eigen::Index f : turned_triangles(F, points, part, parent)) {
+        const std::vector<Eigen::Index> turned = turned_triangles(F, points, part, parent);
+        result.turned = static_cast<int>(turned.size());
+        for (const Eigen::Index f : turned) {
             for (int k = 0; k < 3; ++k) {
                 const int v = F(f, k);
                 if (points.row(v) == flat.row(v)) continue;
                 points.row(v) = flat.row(v);
-                ++flattened;
+                ++result.vertices;
                 again = true;
             }
         }
     }
-    return flattened;
+    return result;
 }
 
 }  // namespace
@@ -128,13 +127,10 @@ MergedPair merge_maps(const Shape& shape_a, const MappedPart& a, const Shape& sh
         result.in_filling.push_back(filling_a[static_cast<std::size_t>(parent_a.back())] ||
                                     filling_b[static_cast<std::size_t>(parent_b.back())]);
     }
-    const int flattened_a =
+    const Flattened on_a =
         flatten_turned(result.F, place(shape_a.mesh.V, result.on_a), a.mesh, parent_a, result.points_a);
-    const int flattened_b =
+    const Flattened on_b =
         flatten_turned(result.F, place(shape_b.mesh.V, result.on_b), b.mesh, parent_b, result.points_b);
-    const auto turned = [&](const Points& points, const Mesh& part, const std::vector<int>& parent) {
-        return static_cast<int>(turned_triangles(result.F, points, part, parent).size());
-    };
     report.overlays.push_back({.vertices_a = a.mesh.vertex_count(),
                                .vertices_b = b.mesh.vertex_count(),
                                .crossings = merged.crossings,
@@ -145,10 +141,10 @@ MergedPair merge_maps(const Shape& shape_a, const MappedPart& a, const Shape& sh
                                .triangles = static_cast<int>(result.F.rows()),
                                .zero_area_a = zero_area_triangles(result.points_a, result.F),
                                .zero_area_b = zero_area_triangles(result.points_b, result.F),
-                               .turned_a = turned(result.points_a, a.mesh, parent_a),
-                               .turned_b = turned(result.points_b, b.mesh, parent_b),
-                               .flattened_a = flattened_a,
-                               .flattened_b = flattened_b});
+                               .turned_a = on_a.turned,
+                               .turned_b = on_b.turned,
+                               .flattened_a = on_a.vertices,
+                               .flattened_b = on_b.vertices});
     return result;
 }
 

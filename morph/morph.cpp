@@ -19,7 +19,6 @@
 #include "morph/mesh/geometry.h"
 #include "morph/open_pair.h"
 #include "morph/overlay/lift.h"
-#include "morph/parameterization/fill.h"
 #include "morph/parameterization/map_quality.h"
 #include "morph/registration/registration.h"
 #include "morph/report_of.h"
@@ -193,10 +192,13 @@ private:
         }
     }
 
+    /// An open shape has its place on a closed one, but not the other way round.
+    bool target_moves() const { return source_.report.closed && !target_.report.closed; }
+
     SphereOptions sphere_options() const {
         return {.registration = registers() ? &registration_ : nullptr,
                 .guide = guide_ ? &*guide_ : nullptr,
-                .moves_b = source_.report.closed && !target_.report.closed,
+                .moves_b = target_moves(),
                 .curved = options_.lift,
                 .seed = options_.seed};
     }
@@ -205,10 +207,9 @@ private:
     void merge_on_sphere() {
         report_.domain = "sphere";
         WholeShape source = whole_shape(source_), target = whole_shape(target_);
-        // An open shape has its place on a closed one, but not the other way round.
         const AlignedShape a{source.mesh, source.filled.loops, source.filled.centres},
             b{target.mesh, target.filled.loops, target.filled.centres};
-        if (source_.report.closed && !target_.report.closed) {
+        if (target_moves()) {
             align_shapes(b, a, registration_.inverse(target.mesh.V), nullptr);
         } else {
             align_shapes(a, b, registration_.apply(source.mesh.V), nullptr);
@@ -230,13 +231,14 @@ private:
         if (input.report.closed) return {input.mesh, filled_shape(input.mesh, {})};
         report_.notes.push_back(fmt::format(
             "{} is open and the other shape is closed: it was capped for the map", input.report.name));
-        Mesh mesh = input.mesh;
-        if (signed_volume(fill_openings(mesh, boundary_loops(mesh)).mesh) < 0.0) {
-            mesh.F.col(1).swap(mesh.F.col(2));
+        WholeShape whole{input.mesh, filled_shape(input.mesh, boundary_loops(input.mesh))};
+        if (signed_volume(whole.filled.shape.mesh) < 0.0) {
+            whole.mesh.F.col(1).swap(whole.mesh.F.col(2));
+            whole.filled = filled_shape(whole.mesh, boundary_loops(whole.mesh));
             report_.notes.push_back(
                 fmt::format("{} faced inwards: its triangles were turned", input.report.name));
         }
-        return {mesh, filled_shape(mesh, boundary_loops(mesh))};
+        return whole;
     }
 
     /// Sec. 6: a plane cuts both shapes into halves that share the cut as border.

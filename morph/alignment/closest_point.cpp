@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "morph/mesh/errors.h"
+#include "morph/mesh/geometry.h"
 
 namespace automorph {
 
@@ -99,11 +100,8 @@ struct ClosestPoints::Tree {
         size = std::max((high - low).norm(), std::numeric_limits<double>::min());
         mesh = {(of.V.rowwise() - centre) / size, of.F};
         normals.resize(mesh.F.rows(), 3);
-        for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
-            const Eigen::RowVector3d a = mesh.V.row(mesh.F(f, 0));
-            normals.row(f) =
-                (mesh.V.row(mesh.F(f, 1)) - a).cross(mesh.V.row(mesh.F(f, 2)) - a).stableNormalized();
-        }
+        for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+            normals.row(f) = doubled_area_vector(mesh.V, mesh.F, f).stableNormalized();
         build();
     }
 

@@ -1,5 +1,4 @@
 #include "morph/cut/cut.h"
-#include "morph/mesh/index.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +8,7 @@
 
 #include "morph/mesh/errors.h"
 #include "morph/mesh/geometry.h"
+#include "morph/mesh/index.h"
 
 namespace automorph {
 

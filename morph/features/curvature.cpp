@@ -33,11 +33,8 @@ double angle(const Vector3d& u, const Vector3d& v) {
 /// Unit normal of each triangle, zero where it has no area (#F x 3).
 Points triangle_normals(const Mesh& mesh) {
     Points normals(mesh.triangle_count(), 3);
-    for (int f = 0; f < mesh.triangle_count(); ++f) {
-        const Vector3d p = position(mesh, mesh.F(f, 0));
-        normals.row(f) =
-            (position(mesh, mesh.F(f, 1)) - p).cross(position(mesh, mesh.F(f, 2)) - p).normalized();
-    }
+    for (int f = 0; f < mesh.triangle_count(); ++f)
+        normals.row(f) = doubled_area_vector(mesh.V, mesh.F, f).normalized();
     return normals;
 }
 

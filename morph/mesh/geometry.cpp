@@ -13,8 +13,7 @@ Eigen::Vector3d corner(const Mesh& mesh, int triangle, int k) {
 }
 
 Eigen::Vector3d area_vector(const Mesh& mesh, int f) {
-    const Eigen::Vector3d p = corner(mesh, f, 0);
-    return 0.5 * (corner(mesh, f, 1) - p).cross(corner(mesh, f, 2) - p);
+    return 0.5 * doubled_area_vector(mesh.V, mesh.F, f);
 }
 
 }  // namespace
@@ -22,6 +21,16 @@ Eigen::Vector3d area_vector(const Mesh& mesh, int f) {
 double bounding_box_diagonal(const Points& V) {
     if (V.rows() == 0) return 0.0;
     return (V.colwise().maxCoeff() - V.colwise().minCoeff()).norm();
+}
+
+Eigen::Vector3d doubled_area_vector(const Points& V, const Triangles& F, Eigen::Index f) {
+    const Eigen::Vector3d p = V.row(F(f, 0)), q = V.row(F(f, 1)), r = V.row(F(f, 2));
+    return (q - p).cross(r - p);
+}
+
+double longest_edge(const Points& V, const Triangles& F, Eigen::Index f) {
+    const Eigen::Vector3d p = V.row(F(f, 0)), q = V.row(F(f, 1)), r = V.row(F(f, 2));
+    return std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
 }
 
 Eigen::VectorXd triangle_areas(const Mesh& mesh) {

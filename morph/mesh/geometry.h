@@ -7,6 +7,15 @@ namespace automorph {
 /// Axis-aligned bounding box diagonal, in scene units; 0 for an empty mesh.
 double bounding_box_diagonal(const Points& V);
 
+/// Normal of a triangle, twice its area long; zero if it has none.
+Eigen::Vector3d doubled_area_vector(const Points& V, const Triangles& F, Eigen::Index f);
+
+/// Length of a triangle's longest edge.
+double longest_edge(const Points& V, const Triangles& F, Eigen::Index f);
+
+/// A triangle of less height than this, in bounding box diagonals, is flat: rounding decides where it faces.
+constexpr double kFlatHeight = 1e-10;
+
 /// Area of each triangle, in squared scene units (#F).
 Eigen::VectorXd triangle_areas(const Mesh& mesh);
 

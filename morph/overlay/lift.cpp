@@ -70,9 +70,7 @@ Points smooth_normals(const Mesh& mesh) {
     Points normals = vertex_normals(mesh);
     std::vector<char> sharp(static_cast<std::size_t>(mesh.vertex_count()), 0);
     for (int f = 0; f < mesh.triangle_count(); ++f) {
-        const Vector3d p = mesh.V.row(mesh.F(f, 0)), q = mesh.V.row(mesh.F(f, 1)),
-                       r = mesh.V.row(mesh.F(f, 2));
-        const Vector3d n = (q - p).cross(r - p).stableNormalized();
+        const Vector3d n = doubled_area_vector(mesh.V, mesh.F, f).stableNormalized();
         if (n.isZero(0.0)) continue;
         for (int k = 0; k < 3; ++k)
             sharp[static_cast<std::size_t>(mesh.F(f, k))] |= normals.row(mesh.F(f, k)).dot(n) < kCrease;

@@ -1,5 +1,4 @@
 #include "morph/overlay/overlay.h"
-#include "morph/mesh/index.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +7,7 @@
 #include <optional>
 
 #include "morph/mesh/errors.h"
+#include "morph/mesh/index.h"
 #include "morph/overlay/merge_faces.h"
 #include "morph/overlay/pieces.h"
 #include "morph/overlay/trace.h"

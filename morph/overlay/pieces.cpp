@@ -1,11 +1,11 @@
 #include "morph/overlay/pieces.h"
-#include "morph/mesh/index.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "morph/mesh/errors.h"
+#include "morph/mesh/index.h"
 
 // Notation: h is a half-edge of a in the direction of travel, fb a triangle of b, x and y merged vertices.
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "morph/mesh/geometry.h"
+
 namespace automorph {
 
 namespace {
@@ -31,8 +33,7 @@ double quality(const View& view, int i, int j, int k) {
 }
 
 Vector3d facet_normal(const Mesh& mesh, int f) {
-    const Vector3d p = mesh.V.row(mesh.F(f, 0)), q = mesh.V.row(mesh.F(f, 1)), r = mesh.V.row(mesh.F(f, 2));
-    return (q - p).cross(r - p).normalized();
+    return doubled_area_vector(mesh.V, mesh.F, f).normalized();
 }
 
 /// The triangulation of a convex polygon with the best worst triangle, by dynamic programming over its

@@ -1,5 +1,4 @@
 #include "morph/parameterization/border.h"
-#include "morph/mesh/index.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +6,7 @@
 #include <array>
 
 #include "morph/mesh/errors.h"
+#include "morph/mesh/index.h"
 
 namespace automorph {
 

@@ -1,5 +1,4 @@
 #include "morph/parameterization/decimation.h"
-#include "morph/mesh/index.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +9,7 @@
 #include <queue>
 
 #include "morph/mesh/errors.h"
+#include "morph/mesh/index.h"
 
 // Notation: v is the vertex that goes, u the neighbour it goes to; w_k are the neighbours of v,
 // counter-clockwise.

@@ -1,11 +1,11 @@
 #include "morph/parameterization/half_edges.h"
-#include "morph/mesh/index.h"
 
 #include <fmt/format.h>
 
 #include <numeric>
 
 #include "morph/mesh/errors.h"
+#include "morph/mesh/index.h"
 
 // Notation: h runs from v to u in the triangle v u r; its opposite g from u to v in the triangle u v l. a and
 // b are the opposites of u r and r v; c and d those of v l and l u.

@@ -1,5 +1,4 @@
 #include "morph/parameterization/sphere_border.h"
-#include "morph/mesh/index.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include <unordered_map>
 
 #include "morph/mesh/geometry.h"
+#include "morph/mesh/index.h"
 
 namespace automorph {
 

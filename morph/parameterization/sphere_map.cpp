@@ -1,5 +1,4 @@
 #include "morph/parameterization/sphere_map.h"
-#include "morph/mesh/index.h"
 
 #include <fmt/format.h>
 
@@ -12,6 +11,7 @@
 #include "morph/exact/predicates.h"
 #include "morph/mesh/errors.h"
 #include "morph/mesh/geometry.h"
+#include "morph/mesh/index.h"
 #include "morph/parameterization/decimation.h"
 #include "morph/parameterization/sphere_border.h"
 #include "morph/parameterization/sphere_relaxation.h"

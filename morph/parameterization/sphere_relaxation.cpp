@@ -1,10 +1,11 @@
 #include "morph/parameterization/sphere_relaxation.h"
-#include "morph/mesh/index.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "morph/mesh/index.h"
 
 namespace automorph {
 

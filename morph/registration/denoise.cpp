@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "morph/mesh/geometry.h"
+
 namespace automorph {
 
 namespace {
@@ -39,8 +41,7 @@ double crumpling(const Mesh& mesh) {
     Points area_vector = Points::Zero(mesh.vertex_count(), 3);
     Eigen::VectorXd area = Eigen::VectorXd::Zero(mesh.vertex_count());
     for (int f = 0; f < mesh.triangle_count(); ++f) {
-        const Eigen::RowVector3d p = mesh.V.row(mesh.F(f, 0));
-        const Eigen::RowVector3d n = (mesh.V.row(mesh.F(f, 1)) - p).cross(mesh.V.row(mesh.F(f, 2)) - p);
+        const Eigen::RowVector3d n = doubled_area_vector(mesh.V, mesh.F, f);
         const double length = n.norm();
         for (int k = 0; k < 3; ++k) {
             area_vector.row(mesh.F(f, k)) += n;

@@ -1,6 +1,6 @@
 #include "morph/sphere_alignment/guarded_move.h"
-#include "morph/mesh/index.h"
 
+#include "morph/mesh/index.h"
 #include "morph/parameterization/sphere_energy.h"
 
 namespace automorph {

@@ -57,10 +57,8 @@ Sample sample(const Surface& surface, std::uint64_t seed) {
         Eigen::Vector3d position = Eigen::Vector3d::Zero();
         for (int c = 0; c < 3; ++c)
             position += point.weights[static_cast<std::size_t>(c)] * mesh.V.row(mesh.F(f, c));
-        const Eigen::Vector3d p = mesh.V.row(mesh.F(f, 0)), q = mesh.V.row(mesh.F(f, 1)),
-                              r = mesh.V.row(mesh.F(f, 2));
         result.features.row(k) << position.transpose(),
-            kNormalWeight * (q - p).cross(r - p).normalized().transpose();
+            kNormalWeight * doubled_area_vector(mesh.V, mesh.F, f).normalized().transpose();
         result.points.push_back(point);
     }
     return result;

@@ -29,12 +29,6 @@ render::Color shade(const Shooting& shooting, const View& view, const Eigen::Vec
     return (std::min(light, 1.2) * shooting.picture.albedo).cast<float>().array();
 }
 
-Eigen::Vector3d normal(const Mesh& mesh, int f) {
-    const Eigen::Vector3d a = mesh.V.row(mesh.F(f, 0)), b = mesh.V.row(mesh.F(f, 1)),
-                          c = mesh.V.row(mesh.F(f, 2));
-    return (b - a).cross(c - a).normalized();
-}
-
 /// Each edge once.
 std::vector<std::pair<int, int>> edges_of(const Triangles& F) {
     std::vector<std::pair<int, int>> edges;
@@ -107,7 +101,11 @@ FigureCell map_drawing(const Shooting& shooting, const ShapeMap& map) {
         const Eigen::Vector2d a = corners[1] - corners[0], b = corners[2] - corners[0];
         if (a.x() * b.y() - a.y() * b.x() >= 0.0) continue;  // the far side of the sphere; y runs downwards
         const bool filling = f >= map.own_triangles;
-        canvas.polygon(corners, filling ? drawing::kPaper : shade(shooting, view, normal(map.mesh, f)), pen);
+        canvas.polygon(
+            corners,
+            filling ? drawing::kPaper
+                    : shade(shooting, view, doubled_area_vector(map.mesh.V, map.mesh.F, f).normalized()),
+            pen);
     }
     cell.image = canvas.image();
     return cell;
