@@ -122,7 +122,7 @@ BsdfValue Bsdf::metal(const Vec3& wi) const {
     if (!(wi.z() > 0.0f)) return {};
     const Ggx& ggx = prepared_->ggx;
     const Vec3 h = (wo_ + wi).normalized();
-    const float density = ggx.G1(wo_) * ggx.D(h) / (4.0f * wo_.z());
+    const float density = ggx.reflected_pdf(wo_, h);
     return {density * ggx.G1(wi) * schlick(wo_.dot(h), base_color_, prepared_->material.edge_color), density};
 }
 
@@ -137,7 +137,7 @@ BsdfValue Bsdf::body(const Vec3& wi, const Shares& shares) const {
     BsdfValue value{through * diffuse.evaluate(wi), (1.0f - shares.coat) * diffuse.pdf(wi)};
     if (shares.coat > 0.0f) {
         const Vec3 h = (wo_ + wi).normalized();
-        const float density = ggx.G1(wo_) * ggx.D(h) / (4.0f * wo_.z());
+        const float density = ggx.reflected_pdf(wo_, h);
         value.f_cos += prepared_->material.specular * fresnel(wo_.dot(h), prepared_->material.ior) * density *
                        ggx.G1(wi);
         value.pdf += shares.coat * density;
@@ -152,7 +152,7 @@ BsdfValue Bsdf::glass(const Vec3& wi) const {
     if (wi.z() > 0.0f) {
         const Vec3 h = (wo_ + wi).normalized();
         const float reflected = fresnel(wo_.dot(h), eta());
-        const float density = reflected * ggx.G1(wo_) * ggx.D(h) / (4.0f * wo_.z());
+        const float density = reflected * ggx.reflected_pdf(wo_, h);
         return {Color::Constant(density * ggx.G1(wi)), density};
     }
     if (!(wi.z() < 0.0f)) return {};

@@ -47,6 +47,9 @@ struct Ggx {
         return h / std::sqrt(h.squaredNorm());
     }
 
+    /// Density of the directions mirrored at sample(), per solid angle; h is halfway between them and wo.
+    float reflected_pdf(const Vec3& wo, const Vec3& h) const { return G1(wo) * D(h) / (4.0f * wo.z()); }
+
     /// Density of sample() per solid angle of h.
     float visible(const Vec3& wo, const Vec3& h) const {
         return G1(wo) * std::max(0.0f, wo.dot(h)) * D(h) / wo.z();

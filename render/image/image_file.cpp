@@ -64,19 +64,24 @@ std::vector<int> picture_channels(const OIIO::ImageSpec& spec) {
 }
 
 template <class T, class Convert>
-void read_pixels(OIIO::ImageInput& in, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const fs::path& file,
-                 Image& image, const Convert& convert) {
+Image read_pixels(OIIO::ImageInput& in, const std::vector<int>& channels, OIIO::TypeDesc type,
+                  const fs::path& file, const Convert& convert) {
+    const OIIO::ImageSpec& spec = in.spec();
     const auto all = static_cast<std::size_t>(spec.nchannels);
     std::vector<T> raw(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * all);
     if (!in.read_image(0, 0, 0, spec.nchannels, type, raw.data())) {
         throw IoError(fmt::format("{}: cannot read the pixels: {}", file.string(), in.geterror()));
     }
-    const std::vector<int> channels = picture_channels(spec);
-    image = Image(spec.width, spec.height, static_cast<int>(channels.size()));
+    Image image(spec.width, spec.height, static_cast<int>(channels.size()));
     std::size_t next = 0;
     for (std::size_t pixel = 0; pixel < raw.size(); pixel += all) {
         for (int c : channels) image.pixels[next++] = convert(raw[pixel + static_cast<std::size_t>(c)]);
     }
+    return image;
+}
+
+float as_stored(float value) {
+    return value;
 }
 
 }  // namespace
@@ -159,15 +164,17 @@ ImageFile read_image(const fs::path& file) {
     const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(file.string(), &hints);
     if (!in) throw IoError(fmt::format("{}: cannot read the picture: {}", file.string(), OIIO::geterror()));
     const OIIO::ImageSpec spec = in->spec();
+    const std::vector<int> channels = picture_channels(spec);
     ImageFile result;
     const auto type = static_cast<OIIO::TypeDesc::BASETYPE>(spec.format.basetype);
     if (type == OIIO::TypeDesc::FLOAT || type == OIIO::TypeDesc::HALF) {
-        read_pixels<float>(*in, spec, OIIO::TypeDesc::FLOAT, file, result.image, [](float x) { return x; });
+        result.image = read_pixels<float>(*in, channels, OIIO::TypeDesc::FLOAT, file, as_stored);
     } else if (type == OIIO::TypeDesc::UINT8) {
-        read_pixels<std::uint8_t>(*in, spec, OIIO::TypeDesc::UINT8, file, result.image, from_srgb8);
+        result.image = read_pixels<std::uint8_t>(*in, channels, OIIO::TypeDesc::UINT8, file, from_srgb8);
     } else if (type == OIIO::TypeDesc::UINT16) {
-        read_pixels<std::uint16_t>(*in, spec, OIIO::TypeDesc::UINT16, file, result.image,
-                                   [](std::uint16_t code) { return from_srgb(code / 65535.0); });
+        result.image =
+            read_pixels<std::uint16_t>(*in, channels, OIIO::TypeDesc::UINT16, file,
+                                       [](std::uint16_t code) { return from_srgb(code / 65535.0); });
     } else {
         throw IoError(fmt::format("{}: pixels are of type {}; expected 8-bit or 16-bit integers or floats",
                                   file.string(), spec.format.c_str()));
@@ -184,23 +191,13 @@ Image read_channels(const fs::path& file, const std::vector<std::string>& names)
     const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(file.string());
     if (!in) throw IoError(fmt::format("{}: cannot read the picture: {}", file.string(), OIIO::geterror()));
     const OIIO::ImageSpec spec = in->spec();
-    std::vector<std::size_t> channels;
+    std::vector<int> channels;
     for (const std::string& name : names) {
         const int channel = spec.channelindex(name);
         if (channel < 0) throw IoError(fmt::format("{}: there is no channel {}", file.string(), name));
-        channels.push_back(static_cast<std::size_t>(channel));
+        channels.push_back(channel);
     }
-    const auto all = static_cast<std::size_t>(spec.nchannels);
-    std::vector<float> raw(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) *
-                           all);
-    if (!in->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, raw.data()))
-        throw IoError(fmt::format("{}: cannot read the pixels: {}", file.string(), in->geterror()));
-    Image image(spec.width, spec.height, static_cast<int>(channels.size()));
-    std::size_t next = 0;
-    for (std::size_t pixel = 0; pixel < raw.size(); pixel += all) {
-        for (const std::size_t channel : channels) image.pixels[next++] = raw[pixel + channel];
-    }
-    return image;
+    return read_pixels<float>(*in, channels, OIIO::TypeDesc::FLOAT, file, as_stored);
 }
 
 }  // namespace automorph::render

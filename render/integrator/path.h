@@ -16,10 +16,17 @@
 
 namespace automorph::render {
 
-/// What a camera ray meets first.
+/// What a camera ray meets first, or the sum over several.
 struct FirstSurface {
     Color albedo = Color::Zero();
     Vec3 shading_normal = Vec3::Zero(), geometric_normal = Vec3::Zero();
+
+    FirstSurface& operator+=(const FirstSurface& other) {
+        albedo += other.albedo;
+        shading_normal += other.shading_normal;
+        geometric_normal += other.geometric_normal;
+        return *this;
+    }
 };
 
 /// What all paths of a picture share.

@@ -79,17 +79,6 @@ struct PixelSums {
     }
 };
 
-struct SurfaceSums {
-    Color albedo = Color::Zero();
-    Vec3 shading_normal = Vec3::Zero(), geometric_normal = Vec3::Zero();
-
-    void add(const FirstSurface& surface) {
-        albedo += surface.albedo;
-        shading_normal += surface.shading_normal;
-        geometric_normal += surface.geometric_normal;
-    }
-};
-
 double luminance(const Eigen::Array3d& c) {
     return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
 }
@@ -189,7 +178,7 @@ private:
                 FirstSurface surface;
                 sums.add(tracer_.radiance(packet.rays[i], hits[i], numbers, counts.rays,
                                           options_.layers ? &surface : nullptr));
-                if (options_.layers) surfaces_[index(x, y)].add(surface);
+                if (options_.layers) surfaces_[index(x, y)] += surface;
             }
         }
         sums_[index(x, y)] = sums;
@@ -203,9 +192,9 @@ private:
     const RenderOptions& options_;
     FilterSampler filter_;
     bool motion_;
-    std::vector<PixelSums> sums_;        // by pixel, rows from the top
-    std::vector<SurfaceSums> surfaces_;  // likewise, empty without layers
-    std::vector<std::uint32_t> goals_;   // likewise: samples that the pixel needs
+    std::vector<PixelSums> sums_;         // by pixel, rows from the top
+    std::vector<FirstSurface> surfaces_;  // likewise, empty without layers
+    std::vector<std::uint32_t> goals_;    // likewise: samples that the pixel needs
 };
 
 template <class Vector>
@@ -231,7 +220,7 @@ void Film::finish(RenderResult& result) const {
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             const PixelSums& sums = sums_[index(x, y)];
-            const SurfaceSums& surfaces = surfaces_[index(x, y)];
+            const FirstSurface& surfaces = surfaces_[index(x, y)];
             const float share = 1.0f / static_cast<float>(std::max(1u, sums.taken));
             store(share * surfaces.albedo, layers.albedo.at(x, y));
             store(share * surfaces.shading_normal, layers.shading_normal.at(x, y));

@@ -48,9 +48,14 @@ float LightSet::strength(std::size_t light, const LitPoint& point) const {
     return 0.25f * map_->power();  // of an even sky a surface gets a quarter
 }
 
-float LightSet::shared_probability(std::size_t light, const LitPoint& point) const {
+float LightSet::strength_of_all(const LitPoint& point) const {
     float sum = 0.0f;
     for (std::size_t i = 0; i < size(); ++i) sum += strength(i, point);
+    return sum;
+}
+
+float LightSet::shared_probability(std::size_t light, const LitPoint& point) const {
+    const float sum = strength_of_all(point);
     return sum > 0.0f ? strength(light, point) / sum : 0.0f;
 }
 
@@ -58,8 +63,7 @@ std::optional<LightSample> LightSet::sample_any(const LitPoint& point, float cho
     std::size_t chosen = 0;
     float probability = 1.0f;
     if (size() > 1) {
-        float sum = 0.0f;
-        for (std::size_t i = 0; i < size(); ++i) sum += strength(i, point);
+        const float sum = strength_of_all(point);
         float rest = choice * sum, own = strength(0, point);
         while (chosen + 1 < size() && rest >= own) {
             rest -= own;

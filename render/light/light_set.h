@@ -69,6 +69,7 @@ private:
     float probability(std::size_t light, const LitPoint& point) const {
         return size_ == 1 ? 1.0f : shared_probability(light, point);
     }
+    float strength_of_all(const LitPoint& point) const;
     float shared_probability(std::size_t light, const LitPoint& point) const;
 
     const std::vector<RectangleLight>& rectangles_;

@@ -2,19 +2,17 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "morph/mesh/errors.h"
 #include "tests/catch.h"
+#include "tests/render/sampling.h"
 
 using namespace automorph;
 using namespace automorph::render;
 
 namespace {
-
-constexpr double kTwoPi = 6.283185307179586;
 
 struct Case {
     std::string name;
@@ -37,18 +35,6 @@ std::vector<Case> rough_materials() {
             {"half a coat", material_of(0, 0, 0.5f, 0.7f)}, {"rough glass", material_of(0, 1, 0, 0.6f)},
             {"all three", material_of(0.3f, 0.5f, 1, 0.5f)}};
 }
-
-Vec3 direction(double z, double azimuth) {
-    const double s = std::sqrt(1.0 - z * z);
-    return Vec3(static_cast<float>(s * std::cos(azimuth)), static_cast<float>(s * std::sin(azimuth)),
-                static_cast<float>(z));
-}
-
-struct Numbers {
-    std::mt19937 random{11};
-    std::uniform_real_distribution<float> uniform;
-    float operator()() { return std::min(uniform(random), 0x0.ffffffp0f); }
-};
 
 // Reflected energy: midpoint rule over the sphere.
 Eigen::Array3d energy_of(const Bsdf& bsdf, int steps) {
@@ -83,7 +69,7 @@ TEST_CASE("every sampler follows its density: chi-square over cells of the spher
                             (kRings * kSectors * fine * fine);
                     }
                 }
-                Numbers numbers;
+                Numbers numbers(11);
                 double none = kSamples;
                 for (int k = 0; k < kSamples; ++k) {
                     const float u = numbers(), v = numbers();
@@ -126,7 +112,7 @@ TEST_CASE("every sampler follows its density: chi-square over cells of the spher
 }
 
 TEST_CASE("samples of every material are unit vectors whose weight is f cos over the density") {
-    Numbers numbers;
+    Numbers numbers(11);
     for (const Case& c : rough_materials()) {
         const PreparedMaterial prepared(c.material);
         for (bool front : {true, false}) {
@@ -150,7 +136,7 @@ TEST_CASE("what decides between kinds of surface stays uniform") {
     const Case c = rough_materials().back();
     const PreparedMaterial prepared(c.material);
     const Bsdf bsdf(prepared, c.material.base_color, direction(0.6, 2.0), true);
-    Numbers numbers;
+    Numbers numbers(11);
     double sum = 0.0, squares = 0.0;
     constexpr int kSamples = 100000;
     for (int k = 0; k < kSamples; ++k) {
@@ -165,7 +151,7 @@ TEST_CASE("what decides between kinds of surface stays uniform") {
 }
 
 TEST_CASE("scattering is reciprocal") {
-    Numbers numbers;
+    Numbers numbers(11);
     for (const Case& c : rough_materials()) {
         INFO(c.name);
         const PreparedMaterial prepared(c.material);
@@ -221,7 +207,7 @@ TEST_CASE("white plastic reflects all light, coloured plastic less") {
 }
 
 TEST_CASE("no material reflects more than it gets") {
-    Numbers numbers;
+    Numbers numbers(11);
     for (const Case& c : rough_materials()) {
         for (float roughness : {0.0f, 0.1f, 0.3f, 0.6f, 1.0f}) {
             Material m = c.material;

@@ -1,35 +1,24 @@
 #include "render/bsdf/diffuse.h"
 
 #include <cmath>
-#include <random>
-#include <vector>
 
 #include "tests/catch.h"
+#include "tests/render/sampling.h"
 
 using namespace automorph::render;
 
 TEST_CASE("cosine sampling follows its density: chi-square over cells of equal probability") {
     constexpr int kRings = 16, kSectors = 32, kSamples = 1 << 18;
     const Diffuse diffuse(Color::Ones());
-    std::mt19937 random(5);
-    std::uniform_real_distribution<float> uniform;
-    std::vector<int> cells(kRings * kSectors, 0);
+    Numbers numbers(5);
+    EvenCells cells(kRings, kSectors);
     for (int i = 0; i < kSamples; ++i) {
-        const float u = std::min(uniform(random), 0x0.ffffffp0f),
-                    v = std::min(uniform(random), 0x0.ffffffp0f);
+        const float u = numbers(), v = numbers();
         const Vec3 wi = diffuse.sample(u, v).wi;
         // sin^2 and the azimuth are uniform under cos / pi.
-        const double ring = std::min(0.999999, 1.0 - static_cast<double>(wi.z()) * wi.z());
-        const double turn = std::atan2(wi.y(), wi.x()) / 6.283185307179586 + 0.5;
-        const int sector = std::min(kSectors - 1, static_cast<int>(turn * kSectors));
-        ++cells[static_cast<std::size_t>(static_cast<int>(ring * kRings) * kSectors + sector)];
+        cells.add(1.0 - static_cast<double>(wi.z()) * wi.z(), wi.x(), wi.y());
     }
-    const double expected = static_cast<double>(kSamples) / (kRings * kSectors);
-    double chi2 = 0.0;
-    for (int count : cells) chi2 += (count - expected) * (count - expected) / expected;
-    const double freedom = kRings * kSectors - 1;
-    CHECK(chi2 < freedom + 3.9 * std::sqrt(2.0 * freedom));  // probability below 1e-4
-    CHECK(chi2 > freedom - 3.9 * std::sqrt(2.0 * freedom));
+    CHECK(std::abs(cells.deviation()) < 3.9);  // probability below 1e-4
 }
 
 TEST_CASE("samples are unit vectors whose weight is f cos over the density") {

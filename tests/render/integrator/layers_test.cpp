@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <random>
 #include <vector>
 
 #include "morph/mesh/errors.h"
 #include "render/integrator/render.h"
 #include "tests/catch.h"
 #include "tests/render/picture_mean.h"
+#include "tests/render/sampling.h"
 #include "tests/render/shapes.h"
 
 using namespace automorph;
@@ -151,29 +151,20 @@ TEST_CASE("rays of a lens start evenly over its disk and meet where the picture 
     const PictureCamera view(camera, 40, 30);
     CHECK(view.has_lens());
     constexpr int kSamples = 40000, kRings = 8, kSectors = 8;
-    std::mt19937 random(4);
-    std::uniform_real_distribution<float> uniform;
-    std::vector<int> cells(kRings * kSectors, 0);
+    Numbers numbers(4);
+    EvenCells cells(kRings, kSectors);
     for (int i = 0; i < kSamples; ++i) {
-        const float u = std::min(uniform(random), 0x0.ffffffp0f),
-                    v = std::min(uniform(random), 0x0.ffffffp0f);
+        const float u = numbers(), v = numbers();
         const Ray ray = view.lens_ray(31.0f, 7.0f, u, v);
         const Vec3 start = ray.origin - view.origin();
         REQUIRE(std::abs(start.y()) < 1e-5f);
-        const double share = std::min(0.999999, static_cast<double>(start.squaredNorm()) / 0.0625);
-        const double turn = std::atan2(start.z(), start.x()) / 6.283185307179586 + 0.5;
-        ++cells[static_cast<std::size_t>(static_cast<int>(share * kRings) * kSectors +
-                                         std::min(kSectors - 1, static_cast<int>(turn * kSectors)))];
+        cells.add(static_cast<double>(start.squaredNorm()) / 0.0625, start.x(), start.z());
         const float t = (6.0f - ray.origin.y()) / ray.direction.y();  // the plane y = 2 + 4
         const Eigen::Vector2d pixel = view.project((ray.origin + t * ray.direction).cast<double>()).value();
         REQUIRE(pixel.x() == Approx(31.0).margin(1e-3));
         REQUIRE(pixel.y() == Approx(7.0).margin(1e-3));
     }
-    const double expected = kSamples / static_cast<double>(kRings * kSectors),
-                 freedom = kRings * kSectors - 1;
-    double chi2 = 0.0;
-    for (int count : cells) chi2 += (count - expected) * (count - expected) / expected;
-    CHECK(std::abs(chi2 - freedom) < 4.0 * std::sqrt(2.0 * freedom));
+    CHECK(std::abs(cells.deviation()) < 4.0);
 
     camera.lens_radius = -0.1;
     CHECK_THROWS_AS(PictureCamera(camera, 40, 30), ConfigError);

@@ -2,32 +2,18 @@
 #include <cmath>
 #include <functional>
 #include <memory>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "morph/mesh/errors.h"
 #include "render/light/light_set.h"
 #include "tests/catch.h"
+#include "tests/render/sampling.h"
 
 using namespace automorph;
 using namespace automorph::render;
 
 namespace {
-
-constexpr double kTwoPi = 6.283185307179586;
-
-Vec3 direction(double z, double azimuth) {
-    const double s = std::sqrt(std::max(0.0, 1.0 - z * z));
-    return Vec3(static_cast<float>(s * std::cos(azimuth)), static_cast<float>(s * std::sin(azimuth)),
-                static_cast<float>(z));
-}
-
-struct Numbers {
-    std::mt19937 random{5};
-    std::uniform_real_distribution<float> uniform;
-    float operator()() { return std::min(uniform(random), 0x0.ffffffp0f); }
-};
 
 // Chi-square over cells of the sphere that expect enough samples. Densities jump at the edges of lights, so
 // their integrals over cells are taken finely.
@@ -44,7 +30,7 @@ void check_sampler(const std::string& name,
                 static_cast<double>(pdf(w)) * 2.0 * kTwoPi * kSamples / (kRings * kSectors * kFine * kFine);
         }
     }
-    Numbers numbers;
+    Numbers numbers(5);
     for (int k = 0; k < kSamples; ++k) {
         const float choice = numbers(), u = numbers(), v = numbers();
         const auto s = sample(choice, u, v);
@@ -174,7 +160,7 @@ TEST_CASE("a set of lights is sampled with the density it states") {
 
 TEST_CASE("samples of a sphere lie on it, towards the point; inside there are none") {
     const SphereLight sphere{{0.5f, -1.0f, 0.4f}, 0.6f, Color::Ones(), true};
-    Numbers numbers;
+    Numbers numbers(5);
     for (double distance : {0.61, 1.0, 10.0, 1e4}) {
         const Vec3 point = sphere.center + static_cast<float>(distance) * Vec3(0.6f, 0.0f, 0.8f);
         for (int k = 0; k < 1000; ++k) {
@@ -200,7 +186,7 @@ TEST_CASE("irradiance of a sphere has its closed form, also where the horizon cu
     CHECK(irradiance(sphere, Vec3::Zero(), {0, 0, 1})[0] == Approx(kPi / 4.0f));
     CHECK(irradiance(sphere, Vec3::Zero(), {0, 0, 1})[2] == Approx(3.0f * kPi / 4.0f));
     CHECK(irradiance(sphere, Vec3::Zero(), {0, 0, -1})[0] == 0.0f);
-    Numbers numbers;
+    Numbers numbers(5);
     for (double degrees : {30.0, 65.0, 80.0, 90.0, 100.0, 115.0}) {
         const double a = degrees / 360.0 * kTwoPi;
         const Vec3 normal(static_cast<float>(std::sin(a)), 0.0f, static_cast<float>(std::cos(a)));
