@@ -8,7 +8,7 @@ namespace automorph {
 
 namespace {
 
-constexpr double kResidual = 1e-3;  // relative; the rounds correct each other
+constexpr double kResidual = 3e-3;  // relative; the rounds correct each other
 constexpr int kMaxIterations = 60;
 constexpr int kQuick = 12;            // more iterations than this: time for a new factorisation
 constexpr double kLeastTrust = 1e-9;  // of the mean trust: keeps the factorisation definite

@@ -21,6 +21,7 @@ namespace {
 
 constexpr double kNoNormals = 1e6;  // a sigma at which all normals are alike
 constexpr double kManyMore = 1.5;   // times the vertices wanted: thinning out fewer gains little
+constexpr double kStill = 5e-4;     // of the target's diagonal: a similarity that moves less has arrived
 constexpr double kSame = 1e-6;      // of the target's diagonal: some digits above those of files
 
 /// The similarity that brings matched points together, applied to all points.
@@ -113,8 +114,12 @@ NonRigidAlignment fitted(Mesh from, const std::vector<std::vector<int>>& source_
         return matches;
     };
 
-    for (int round = 0; round < options.similarity_rounds; ++round)
-        from.V = similar(from.V, match(options.levels.front()));
+    for (int round = 0; round < options.similarity_rounds; ++round) {
+        Points moved = similar(from.V, match(options.levels.front()));
+        const double step = (moved - from.V).rowwise().norm().mean();
+        from.V = std::move(moved);
+        if (step < kStill) break;
+    }
 
     const Points x0 = from.V;
     const MotionPrior prior = motion_prior(from, source_loops);

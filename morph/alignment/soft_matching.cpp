@@ -13,7 +13,7 @@ namespace automorph {
 
 namespace {
 
-constexpr int kNeighbours = 16;  // of each point among the other surface's
+constexpr int kNeighbours = 12;  // of each point among the other surface's
 constexpr int kScalings = 10;    // Sinkhorn rounds; the power makes each contract to 0.64
 constexpr double kPower = 0.8;   // 1 would be balanced: every point has to find a partner
 constexpr int kSpreadNeighbours = 40;

@@ -2,6 +2,7 @@
 
 #include <cairo.h>
 
+#include <array>
 #include <cassert>
 #include <cstdint>
 
@@ -9,13 +10,22 @@
 
 namespace automorph::render {
 
+namespace {
+
+// Cairo draws each pixel as so many squared, and their mean is taken: versions of Cairo cover pixels at edges
+// differently, and where thousands of edges meet that is seen.
+constexpr int kFine = 4;
+
+}  // namespace
+
 struct Canvas::State {
     cairo_surface_t* surface;
     cairo_t* cairo;
 
     State(int width, int height)
-        : surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)),
+        : surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, kFine * width, kFine * height)),
           cairo(cairo_create(surface)) {
+        cairo_scale(cairo, kFine, kFine);
         cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
         cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
     }
@@ -53,15 +63,16 @@ struct Canvas::State {
         stroke(outline);
     }
 
-    /// Visits every pixel as Cairo keeps it, 0x00RRGGBB.
+    int width() const { return cairo_image_surface_get_width(surface) / kFine; }
+    int height() const { return cairo_image_surface_get_height(surface) / kFine; }
+
+    /// Visits the parts of pixel (x, y) as Cairo keeps them, 0x00RRGGBB.
     template <typename Visit>
-    void each_pixel(const Visit& visit) const {
-        cairo_surface_flush(surface);
+    void each_part(int x, int y, const Visit& visit) const {
         unsigned char* data = cairo_image_surface_get_data(surface);
-        const int width = cairo_image_surface_get_width(surface);
-        for (int y = 0; y < cairo_image_surface_get_height(surface); ++y) {
-            auto* row = reinterpret_cast<std::uint32_t*>(data + y * cairo_image_surface_get_stride(surface));
-            for (int x = 0; x < width; ++x) visit(x, y, row[x]);
+        for (int j = kFine * y; j < kFine * (y + 1); ++j) {
+            auto* row = reinterpret_cast<std::uint32_t*>(data + j * cairo_image_surface_get_stride(surface));
+            for (int i = kFine * x; i < kFine * (x + 1); ++i) visit(row[i]);
         }
     }
 };
@@ -69,11 +80,15 @@ struct Canvas::State {
 Canvas::Canvas(const Image& background)
     : state_(std::make_unique<State>(background.width, background.height)) {
     assert(background.channels == 3 && background.width > 0 && background.height > 0);
-    state_->each_pixel([&](int x, int y, std::uint32_t& pixel) {
-        const float* color = background.at(x, y);
-        pixel = static_cast<std::uint32_t>(to_srgb8(color[0]) << 16 | to_srgb8(color[1]) << 8 |
-                                           to_srgb8(color[2]));
-    });
+    cairo_surface_flush(state_->surface);
+    for (int y = 0; y < background.height; ++y) {
+        for (int x = 0; x < background.width; ++x) {
+            const float* color = background.at(x, y);
+            const auto code = static_cast<std::uint32_t>(to_srgb8(color[0]) << 16 | to_srgb8(color[1]) << 8 |
+                                                         to_srgb8(color[2]));
+            state_->each_part(x, y, [code](std::uint32_t& part) { part = code; });
+        }
+    }
     cairo_surface_mark_dirty(state_->surface);
 }
 
@@ -104,14 +119,19 @@ void Canvas::dot(const Eigen::Vector2d& center, double radius, const Color& fill
 }
 
 Image Canvas::image() const {
-    Image image(cairo_image_surface_get_width(state_->surface),
-                cairo_image_surface_get_height(state_->surface));
-    state_->each_pixel([&](int x, int y, std::uint32_t pixel) {
-        for (int channel = 0; channel < 3; ++channel) {
-            const auto code = static_cast<std::uint8_t>(pixel >> (16 - 8 * channel) & 0xffu);
-            image.at(x, y)[channel] = from_srgb8(code);
+    cairo_surface_flush(state_->surface);
+    Image image(state_->width(), state_->height());
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            std::array<std::uint32_t, 3> sum{};
+            state_->each_part(x, y, [&](std::uint32_t part) {
+                for (std::size_t channel = 0; channel < 3; ++channel)
+                    sum[channel] += part >> (16 - 8 * channel) & 0xffu;
+            });
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                image.at(x, y)[channel] = from_srgb(sum[channel] / (255.0 * kFine * kFine));
         }
-    });
+    }
     return image;
 }
 
