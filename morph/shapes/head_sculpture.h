@@ -48,7 +48,9 @@ S neck(const Vec<S>& p, const Vec<S>& q) {
     d = blend(d, limb(q, {5.0, -2.0, -2.2}, {1.0, -19.0, 2.6}, 0.8, 0.9), 1.8);
     d = blend(d, ellipsoid(p, {0, -14.2, 1.4}, {1.2, 2.0, 1.2}), 1.5);
     // trapezius
-    return blend(d, limb(q, {2.2, 1.0, -4.0}, {5.4, -20.0, -4.4}, 1.2, 1.8), 3.0);
+    d = blend(d, limb(q, {2.2, 1.0, -4.0}, {4.4, -20.0, -4.4}, 1.2, 1.6), 3.0);
+    // The foot on which the bust stands.
+    return blend(d, ellipsoid(p, {0, -20.0, -1.9}, {8.6, 5.2, 7.6}), 2.5);
 }
 
 // ---- eyes ------------------------------------------------------------------------------------------
@@ -91,10 +93,10 @@ template <class S>
 S with_nose(S d, const Vec<S>& p, const Vec<S>& q) {
     if (!near(q, {0, -2.2, 9.5}, 6.0)) return d;
     static const Turn wing = turn(-12, 22, 8), hole = turn(-20, 12, 0);
-    S n = limb(p, {0, 1.0, 8.3}, {0, -3.2, 10.45}, 0.72, 0.80);
-    n = blend(n, ellipsoid(p, {0, -3.8, 10.75}, {0.8, 0.72, 0.95}), 0.9);
-    n = blend(n, ellipsoid(q, {0.5, -2.9, 9.0}, {1.0, 2.2, 1.2}), 1.0);
-    n = blend(n, ellipsoid(q, {0.95, -4.1, 9.8}, {0.56, 0.66, 1.0}, wing), 0.85);
+    S n = limb(p, {0, 1.0, 8.35}, {0, -3.1, 10.4}, 0.58, 0.66);
+    n = blend(n, ellipsoid(p, {0, -3.75, 10.65}, {0.86, 0.78, 0.98}), 0.8);
+    n = blend(n, ellipsoid(q, {0.45, -2.7, 8.85}, {1.1, 2.5, 1.2}), 1.3);
+    n = blend(n, ellipsoid(q, {1.02, -4.15, 9.6}, {0.55, 0.64, 0.95}, wing), 0.85);
     n = blend(n, limb(p, {0, -4.2, 10.8}, {0, -4.7, 9.8}, 0.42, 0.42), 0.5);
     d = blend(d, n, 0.9);
     return carve(d, ellipsoid(q, {0.55, -4.9, 10.2}, {0.28, 0.55, 0.55}, hole), 0.3);
@@ -161,7 +163,7 @@ S head_sculpture(const Vec<S>& p) {
     d = with_mouth(d, p, q);
     d = with_eyes(d, q);
     d = with_ears(d, q);
-    return carve(d, S(p.y + 17.0), 1.0);
+    return carve(d, S(p.y + 17.0), 2.4);
 }
 
 }  // namespace automorph::sculpt
