@@ -36,10 +36,10 @@ struct StatisticalComparison : Comparison {
 ///   have as many samples, z and -z are equally likely in each pixel, whatever the distribution of radiance;
 ///   then values above x have a probability of at most 2 exp(-x^2 / 2) [Hoeffding63]. Sees shading: small
 ///   changes that many pixels share. With other numbers of samples: as windows, below.
-/// - windows of 1 and of 3 x 3 pixels, at all places: |sum of differences| / sqrt(sum of sigma^2), same
-///   bound. It holds for means of independent samples of any distribution as long as sigma^2 contains the
-///   difference itself (permutations of the samples); stratified samples stay below. Sees what is local: a
-///   normal, a triangle, an edge.
+/// - windows of 1 and of 3 x 3 pixels, at all places: |sum of differences| / sqrt(sum of sigma^2), with the
+///   same bound. It is proven where samples of the pictures may be exchanged and sigma^2 is twice as large;
+///   as it is, means of independent samples stay below it in all heavy-tailed distributions that the tests
+///   try, and stratified samples stay far below. Sees what is local: a normal, a triangle, an edge.
 ///
 /// sigma^2 is the larger of two estimates from both pictures' variances and sample counts: Welch's, v + v',
 /// and the pooled one of all samples, difference included. A bright sample that only one of the pictures met
