@@ -187,6 +187,12 @@ ImageFile read_image(const fs::path& file) {
     return result;
 }
 
+std::vector<std::string> channel_names(const fs::path& file) {
+    const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(file.string());
+    if (!in) throw IoError(fmt::format("{}: cannot read the picture: {}", file.string(), OIIO::geterror()));
+    return in->spec().channelnames;
+}
+
 Image read_channels(const fs::path& file, const std::vector<std::string>& names) {
     const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(file.string());
     if (!in) throw IoError(fmt::format("{}: cannot read the picture: {}", file.string(), OIIO::geterror()));

@@ -53,6 +53,10 @@ void write_png(const std::filesystem::path& file, const Image& image, const Meta
 /// @throws IoError if the file is missing, not a picture or of other channels
 ImageFile read_image(const std::filesystem::path& file);
 
+/// The names of all channels of a picture, in the file's order, e.g. {"R", "G", "B", "A"}.
+/// @throws IoError if the file is missing or not a picture
+std::vector<std::string> channel_names(const std::filesystem::path& file);
+
 /// Some channels of a picture as they are, by name, e.g. {"variance.R", "variance.G", "variance.B"}.
 /// @throws IoError as above, or if a channel is missing
 Image read_channels(const std::filesystem::path& file, const std::vector<std::string>& names);

@@ -27,6 +27,8 @@ constexpr const char* kExamples = R"(Examples:
   automorph shape star star.ply --arms 6
   automorph shape head face.ply --preset asian --crop face --triangles 20000
   automorph info scan.stl
+  automorph diff golden/ out/fig7/
+      says which pictures have changed, and whether noise explains it
 'automorph COMMAND --help' tells more about a command.)";
 
 constexpr const char* kMorphExamples = R"(Examples:
@@ -217,6 +219,7 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
     HeadArguments head;
     InfoArguments info;
     ConfigArguments config;
+    DiffArguments diff;
     add_figure(app, figure);
     add_morph(app, morph);
     add_shape(app, ellipsoid, star, head);
@@ -227,11 +230,15 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
     config_command->add_flag("--explain", config.explain, "Print every key with type, default and meaning");
     config_command->add_option("CONFIG", config.checked, "YAML files to check")->type_name("FILE");
 
+    add_diff(app, diff);
+
     try {
         app.parse(count, values);
     } catch (const CLI::ParseError& error) {
         // Help and version arrive here too.
-        return error.get_exit_code() == 0 ? app.exit(error) : refuse(app, error);
+        if (error.get_exit_code() == 0) return app.exit(error);
+        const int status = refuse(app, error);
+        return app.got_subcommand("diff") ? static_cast<int>(DiffStatus::CannotCompare) : status;
     }
     CLI::App* shape_command = app.get_subcommand("shape");
     if (app.got_subcommand("figure")) arguments.command = figure;
@@ -241,6 +248,7 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
     if (shape_command->got_subcommand("head")) arguments.command = head;
     if (app.got_subcommand("info")) arguments.command = info;
     if (app.got_subcommand("config")) arguments.command = config;
+    if (app.got_subcommand("diff")) arguments.command = diff;
     return arguments;
 }
 

@@ -11,6 +11,7 @@
 #include "morph/morph.h"
 #include "morph/shapes/head.h"
 #include "morph/shapes/shapes.h"
+#include "render/program/diff_arguments.h"
 
 /// What the command line asks for, one struct per subcommand. Its reading is CLI11's only door.
 namespace automorph::program {
@@ -62,7 +63,7 @@ struct ConfigArguments {
 };
 
 using Command = std::variant<FigureArguments, MorphArguments, EllipsoidArguments, StarArguments,
-                             HeadArguments, InfoArguments, ConfigArguments>;
+                             HeadArguments, InfoArguments, ConfigArguments, DiffArguments>;
 
 struct Arguments {
     Command command;
@@ -71,7 +72,7 @@ struct Arguments {
 };
 
 /// Either what to do, or the status to exit with at once (help, version and errors have then been printed; an
-/// error is one line on stderr and status 1).
+/// error is one line on stderr and status 1, 2 for `diff`).
 std::variant<Arguments, int> read_arguments(int count, const char* const* values);
 
 }  // namespace automorph::program

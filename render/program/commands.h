@@ -21,4 +21,7 @@ void run(const HeadArguments& arguments, const Surroundings& surroundings);
 void run(const InfoArguments& arguments, const Surroundings& surroundings);
 void run(const ConfigArguments& arguments, const Surroundings& surroundings);
 
+/// Returns the status to exit with, a DiffStatus; throws nothing.
+int run(const DiffArguments& arguments, const Surroundings& surroundings) noexcept;
+
 }  // namespace automorph::program

@@ -1,52 +1,18 @@
 // Runs the built program as a user does.
 
-#include <sys/wait.h>
-
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
 
 #include "morph/mesh/io.h"
 #include "tests/catch.h"
-#include "tests/render/temporary_folder.h"
+#include "tests/render/program/run_program.h"
 
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string content(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-int lines_in(const std::string& text) {
-    return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-}
-
-std::set<std::string> names_in(const fs::path& folder) {
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
-    return names;
-}
-
-struct Run {
-    int status;
-    std::string out, err;
-};
-
-// Runs `automorph ARGUMENTS` with `folder` as working directory.
-Run run_program(const TemporaryFolder& folder, const std::string& arguments) {
-    const TemporaryFolder logs;
-    const std::string command = "cd '" + folder.path().string() + "' && '" AUTOMORPH_PROGRAM "' " +
-                                arguments + " >'" + (logs / "out").string() + "' 2>'" +
-                                (logs / "err").string() + "' </dev/null";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(logs / "out"), content(logs / "err")};
-}
 
 void make_shapes(const TemporaryFolder& folder) {
     REQUIRE(

@@ -1,4 +1,4 @@
-#include "render/image/compare.h"
+#include "render/compare/difference.h"
 
 #include <cmath>
 #include <limits>
@@ -30,8 +30,17 @@ TEST_CASE("one changed value gives the closed forms") {
     CHECK(d.relative_bias == Approx(0.25 / 360.0));
     CHECK(d.max_block == Approx(0.25 / 16));
     CHECK(d.max_pixel == Approx(0.25));
-    CHECK(d.max_pixel_x == 18);
-    CHECK(d.max_pixel_y == 9);
+    CHECK(d.max_pixel_place.x == 18);
+    CHECK(d.max_pixel_place.y == 9);
+    CHECK(d.max_pixel_place.channel == 2);
+    CHECK(d.max_block_place.x == 16);
+    CHECK(d.max_block_place.y == 8);
+    CHECK(d.max_block_place.width == 4);
+    CHECK(d.max_block_place.height == 4);
+    CHECK(mean(b, d.max_block_place) == Approx(0.5 + 0.25 / 16));
+    const Image map = absolute_difference(a, b);
+    CHECK(*map.at(18, 9) == 0.25f);
+    CHECK(*map.at(9, 9) == 0.0f);
     CHECK(d.different_values == 1);
     CHECK(compare(b, a).relative_bias < 0.0);
 }
@@ -56,8 +65,8 @@ TEST_CASE("a pixel that is not finite in one picture only is an infinite differe
         CHECK(std::isinf(d.max_pixel));
         CHECK(std::isinf(d.max_block));
         CHECK(std::isinf(d.relative_bias));
-        CHECK(d.max_pixel_x == 3);
-        CHECK(d.max_pixel_y == 4);
+        CHECK(d.max_pixel_place.x == 3);
+        CHECK(d.max_pixel_place.y == 4);
         CHECK(std::isinf(compare(b, a).max_pixel));
     }
 }

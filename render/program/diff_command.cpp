@@ -1,0 +1,207 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <new>
+#include <system_error>
+
+#include "morph/mesh/errors.h"
+#include "render/figure/text_file.h"
+#include "render/program/commands.h"
+#include "render/program/diff_report.h"
+#include "render/program/picture_diff.h"
+
+namespace automorph::program {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A picture in both folders; one of the files may be missing.
+struct Pair {
+    std::string name;
+    fs::path golden, found;
+    bool has_golden = false, has_found = false;
+};
+
+/// OpenImageIO's messages may have several.
+std::string one_line(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
+bool is_picture(const fs::path& file) {
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == ".exr" || extension == ".png";
+}
+
+/// Paths of the pictures in a folder and below, relative to it. Files whose names begin with a dot are left
+/// out: pictures are written under such names until they are complete.
+std::vector<fs::path> pictures_in(const fs::path& folder) {
+    std::vector<fs::path> result;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file() && is_picture(entry.path()) &&
+            entry.path().filename().string().front() != '.')
+            result.push_back(entry.path().lexically_relative(folder));
+    }
+    return result;
+}
+
+bool is_folder(const fs::path& path) {
+    std::error_code ignored;
+    return fs::is_directory(path, ignored);
+}
+
+std::vector<Pair> pairs_of(const DiffArguments& arguments) {
+    std::error_code ignored;
+    if (fs::equivalent(arguments.golden, arguments.found, ignored)) {
+        throw IoError(fmt::format("{}: given as golden and as new; a picture is always the same as itself",
+                                  arguments.golden.string()));
+    }
+    const bool folders = is_folder(arguments.found);
+    if (is_folder(arguments.golden) != folders &&
+        (fs::exists(arguments.golden, ignored) || !arguments.accept)) {
+        throw IoError(fmt::format("{} and {}: give two files that exist, or two folders",
+                                  arguments.golden.string(), arguments.found.string()));
+    }
+    if (!folders) {
+        return {{arguments.found.string(), arguments.golden, arguments.found,
+                 fs::exists(arguments.golden, ignored), fs::exists(arguments.found, ignored)}};
+    }
+    std::map<fs::path, Pair> pairs;  // ordered by path
+    const auto entry = [&](const fs::path& path) -> Pair& {
+        Pair& pair = pairs[path];
+        pair.name = path.string();
+        pair.golden = arguments.golden / path;
+        pair.found = arguments.found / path;
+        return pair;
+    };
+    if (is_folder(arguments.golden)) {
+        for (const fs::path& path : pictures_in(arguments.golden)) entry(path).has_golden = true;
+    }
+    for (const fs::path& path : pictures_in(arguments.found)) entry(path).has_found = true;
+    if (pairs.empty()) {
+        throw IoError(fmt::format("{} and {}: there is no .exr or .png file in them",
+                                  arguments.golden.string(), arguments.found.string()));
+    }
+    std::vector<Pair> result;
+    for (const auto& [path, pair] : pairs) result.push_back(pair);
+    return result;
+}
+
+PictureDiff diff_pair(const Pair& pair, const DiffArguments& arguments, double false_alarm_rate) {
+    PictureDiff diff;
+    if (pair.has_golden && pair.has_found) {
+        diff = diff_pictures(pair.golden, pair.found, arguments, false_alarm_rate);
+    } else if (!pair.has_found) {
+        diff.reason =
+            fmt::format("{}: missing; there is a golden {}", pair.found.string(), pair.golden.string());
+    } else {
+        diff.reason = fmt::format("{}: there is no golden {}; --accept makes it one", pair.found.string(),
+                                  pair.golden.string());
+    }
+    diff.name = pair.name;
+    diff.reason = one_line(diff.reason);
+    return diff;
+}
+
+void write_pictures(const std::vector<Pair>& pairs, const std::vector<PictureDiff>& diffs,
+                    const DiffArguments& arguments) {
+    const bool folders = is_folder(arguments.found);
+    const auto file_in = [&](const fs::path& asked, const std::string& name) {
+        return asked.empty() || !folders ? asked : asked / (name + ".png");
+    };
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (diffs[i].status == DiffStatus::CannotCompare || (folders && diffs[i].status == DiffStatus::Same))
+            continue;
+        write_diff_pictures(diffs[i], pairs[i].golden, pairs[i].found,
+                            file_in(arguments.heatmap, pairs[i].name),
+                            file_in(arguments.side_by_side, pairs[i].name));
+    }
+}
+
+/// Copies aside and renames, so that a reader sees the old golden or the new one.
+void copy_over(const fs::path& from, const fs::path& to) {
+    make_folder(to.parent_path());
+    const fs::path aside =
+        to.parent_path() / fmt::format(".{}.{}{}", to.stem().string(), ::getpid(), to.extension().string());
+    std::error_code error;
+    fs::copy_file(from, aside, fs::copy_options::overwrite_existing, error);
+    if (!error) fs::rename(aside, to, error);
+    if (!error) return;
+    std::error_code ignored;
+    fs::remove(aside, ignored);
+    throw IoError(
+        fmt::format("{}: cannot be replaced by {}: {}", to.string(), from.string(), error.message()));
+}
+
+bool is_to_be_copied(const Pair& pair, const PictureDiff& diff) {
+    return pair.has_found && diff.status != DiffStatus::Same;
+}
+
+/// Replaces the goldens that differ. All new pictures are read before the first golden is touched.
+void accept(const std::vector<Pair>& pairs, const std::vector<PictureDiff>& diffs, DiffMode mode,
+            bool quiet) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (!pairs[i].has_found && pairs.size() == 1) throw IoError(diffs[i].reason);
+        if (is_to_be_copied(pairs[i], diffs[i])) check_new_golden(pairs[i].found, mode);
+    }
+    int copied = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const Pair& pair = pairs[i];
+        if (is_to_be_copied(pair, diffs[i])) {
+            copy_over(pair.found, pair.golden);
+            ++copied;
+            if (!quiet)
+                fmt::print("{} {}\n", pair.has_golden ? "replaced " : "added    ", pair.golden.string());
+        } else if (!pair.has_found && !quiet) {
+            fmt::print("kept      {}, which is not among the new pictures\n", pair.golden.string());
+        }
+    }
+    if (!quiet) fmt::print("accepted {} of {} pictures\n", copied, pairs.size());
+}
+
+DiffStatus diff(const DiffArguments& arguments, bool quiet) {
+    const std::vector<Pair> pairs = pairs_of(arguments);
+    const auto compared = static_cast<double>(
+        std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.has_golden && p.has_found; }));
+    const double rate = arguments.statistical.false_alarm_rate / std::max(1.0, compared);
+    std::vector<PictureDiff> diffs;
+    for (const Pair& pair : pairs) diffs.push_back(diff_pair(pair, arguments, rate));
+
+    if (!quiet && !arguments.accept) fmt::print("{}{}", diff_verdict(diffs, arguments), diff_table(diffs));
+    if (!arguments.accept) {
+        for (const PictureDiff& each : diffs) {
+            if (!each.reason.empty()) fmt::print(stderr, "automorph: {}\n", each.reason);
+        }
+    }
+    write_pictures(pairs, diffs, arguments);
+    if (!arguments.report.empty()) {
+        make_folder(arguments.report.parent_path());
+        write_text_file(arguments.report, diff_json(diffs, arguments));
+    }
+    if (!arguments.accept) return status_of(diffs);
+    accept(pairs, diffs, arguments.mode, quiet);
+    return DiffStatus::Same;
+}
+
+}  // namespace
+
+int run(const DiffArguments& arguments, const Surroundings& surroundings) noexcept {
+    // Any failure has to be told from "different", whose status is that of other commands' errors.
+    try {
+        return static_cast<int>(diff(arguments, surroundings.quiet));
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "automorph: out of memory\n");
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "automorph: {}\n", one_line(error.what()));
+    }
+    return static_cast<int>(DiffStatus::CannotCompare);
+}
+
+}  // namespace automorph::program
