@@ -31,6 +31,7 @@ constexpr const char* kExamples = R"(Examples:
 
 constexpr const char* kMorphExamples = R"(Examples:
   automorph morph a.obj b.obj --frames 25 --out frames/m_.ply
+  automorph morph a.obj b.obj --out m.glb --seconds 3 --ping-pong       for Blender, three.js, viewers
   automorph morph a.obj b.obj --alignment none --interpolation linear --out plain_.ply
 Meshes: .off, .obj, .ply, .stl; open (one border, further openings allowed) or closed, without handles. Vertex i of a.obj goes to line i + 2 of the correspondence, in the coordinates of b.obj.)";
 
@@ -39,6 +40,8 @@ constexpr const char* kFigureExamples = R"(Examples:
   automorph figure configs/fig7.yaml --spp 4 --scale 0.5      a quick look
   automorph figure configs/*.yaml --out results               results/fig7, results/heads, ...
 'automorph config --explain' lists the keys of a config.)";
+
+constexpr std::array kUpAxes{Named<UpAxis>{"z", UpAxis::Z}, Named<UpAxis>{"y", UpAxis::Y}};
 
 template <class E, std::size_t N>
 std::map<std::string, E> choices(const std::array<Named<E>, N>& names) {
@@ -93,18 +96,27 @@ void add_morph(CLI::App& app, MorphArguments& arguments) {
     CLI::App* command = app.add_subcommand("morph", "Morphs one mesh into another and writes frames");
     command->add_option("SOURCE", arguments.source, "Mesh at alpha = 0")->type_name("MESH")->required();
     command->add_option("TARGET", arguments.target, "Mesh at alpha = 1")->type_name("MESH")->required();
-    command->add_option("--frames", arguments.frames, "How many, both ends included")
+    command->add_option("--frames", arguments.frames, "How many numbered ones, both ends included")
         ->type_name("N")
         ->check(CLI::Range(2, 100000))
         ->capture_default_str();
-    command->add_option("--out", arguments.out, "Frames: m_.ply gives m_000.ply, m_001.ply, ...")
+    command
+        ->add_option(
+            "--out", arguments.out,
+            "m.glb: one animated file; m_.ply (.off, .obj, .stl): numbered frames m_000.ply, m_001.ply, ...")
         ->type_name("FILE");
     command
         ->add_option("--correspondence", arguments.correspondence,
-                     "CSV: x,y,z on the target per source vertex")
+                     "CSV: x,y,z on the target per vertex of the source file; nan where mending dropped it")
         ->type_name("FILE");
     command->add_option("--report", arguments.report, "JSON: all that was found, used and measured")
         ->type_name("FILE");
+    command->add_option("--seconds", arguments.seconds, "From source to target, in a .glb")
+        ->type_name("X")
+        ->check(CLI::Range(0.01, 86400.0))
+        ->capture_default_str();
+    command->add_flag("--ping-pong", arguments.ping_pong, "And back again, in a .glb");
+    add_choice(*command, "--up", arguments.up, kUpAxes, "Which axis of the meshes points up, for a .glb");
     add_choice(*command, "--alignment", arguments.options.alignment, kAlignments,
                "How the maps are brought together");
     add_choice(*command, "--interpolation", arguments.interpolation, kInterpolations, "How vertices move");

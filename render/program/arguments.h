@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "morph/export/write_glb.h"
 #include "morph/morph.h"
 #include "morph/shapes/head.h"
 #include "morph/shapes/shapes.h"
@@ -24,8 +25,11 @@ struct FigureArguments {
 
 struct MorphArguments {
     std::filesystem::path source, target;
-    int frames = 5;
-    std::filesystem::path out;             ///< pattern of the numbered frames; empty: none are written
+    int frames = 5;                        ///< numbered ones
+    std::filesystem::path out;             ///< a .glb, or the pattern of the numbered frames; empty: neither
+    double seconds = 2.0;                  ///< that a .glb plays, one way
+    bool ping_pong = false;                ///< of a .glb
+    UpAxis up = UpAxis::Z;                 ///< of a .glb
     std::filesystem::path correspondence;  ///< CSV; empty: not written
     std::filesystem::path report;          ///< JSON; empty: not written
     MorphOptions options;
