@@ -9,6 +9,11 @@
 #include <map>
 
 #include "render/figure/names.h"
+#include "render/program/command_tree.h"
+#include "render/program/completion.h"
+#include "render/program/help_topics.h"
+#include "render/program/man_page.h"
+#include "render/program/version.h"
 
 namespace automorph::program {
 namespace {
@@ -27,6 +32,7 @@ constexpr const char* kExamples = R"(Examples:
   automorph shape star star.ply --arms 6
   automorph shape head face.ply --preset asian --crop face --triangles 20000
   automorph info scan.stl
+  automorph help getting-started
 'automorph COMMAND --help' tells more about a command.)";
 
 constexpr const char* kMorphExamples = R"(Examples:
@@ -80,7 +86,7 @@ void add_choice(CLI::App& command, const std::string& flag, E& value, const std:
 
 void add_figure(CLI::App& app, FigureArguments& arguments) {
     CLI::App* command = app.add_subcommand("figure", "Makes the figures that YAML configs describe");
-    command->add_option("CONFIG", arguments.configs, "YAML files")->type_name("FILE")->required();
+    command->add_option("CONFIG", arguments.configs, "YAML files")->type_name("YAML")->required();
     command->add_option("--out", arguments.out, "Folder for the results [the config's output, or out/NAME]")
         ->type_name("DIR");
     command->add_option("--spp", arguments.spp, "Light paths per pixel, instead of the config's")
@@ -193,6 +199,65 @@ void add_shape(CLI::App& app, EllipsoidArguments& round, StarArguments& star, He
     add_head(*command, head);
 }
 
+struct TextArguments {
+    std::string topic;
+    bool man = false;
+    std::string shell;
+};
+
+void add_texts(CLI::App& app, TextArguments& arguments) {
+    CLI::App* help =
+        app.add_subcommand("help", "Tells more about a topic or a command, and lists the topics");
+    std::string topics;
+    for (const HelpTopic& topic : help_topics())
+        topics += (topics.empty() ? "" : "|") + std::string(topic.name);
+    help->add_option("TOPIC", arguments.topic, "Topic or command")->type_name(topics);
+    help->add_flag("--man", arguments.man, "Print all as a manual page: automorph help --man | man -l -");
+
+    CLI::App* completion =
+        app.add_subcommand("completion", "Prints a script that completes the command line");
+    completion->add_option("SHELL", arguments.shell, "Which shell's")
+        ->type_name("bash|zsh")
+        ->required()
+        ->check([](const std::string& shell) {
+            return shell == "bash" || shell == "zsh" ? "" : "found '" + shell + "', allowed are bash|zsh";
+        });
+    completion->footer(
+        "Examples:\n  source <(automorph completion bash)      for this shell; in ~/.bashrc for all");
+}
+
+int print_help(const CLI::App& app, const TextArguments& arguments) {
+    if (arguments.man) {
+        fmt::print("{}", man_page(command_tree(app), version()));
+        return 0;
+    }
+    if (arguments.topic.empty()) {
+        fmt::print("{}", list_of_topics());
+        return 0;
+    }
+    for (const HelpTopic& topic : help_topics()) {
+        if (arguments.topic == topic.name) {
+            fmt::print("{}\n\n{}", topic.title, topic.text);
+            return 0;
+        }
+    }
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (arguments.topic == command->get_name()) {
+            fmt::print("{}", command->help("automorph"));
+            return 0;
+        }
+    }
+    fmt::print(stderr, "automorph: there is no help on '{}' ('automorph help' lists what there is)\n",
+               arguments.topic);
+    return 1;
+}
+
+int print_completion(const CLI::App& app, const TextArguments& arguments) {
+    const CommandEntry tree = command_tree(app);
+    fmt::print("{}", arguments.shell == "zsh" ? zsh_completion(tree) : bash_completion(tree));
+    return 0;
+}
+
 int refuse(const CLI::App& app, const CLI::ParseError& error) {
     std::string command = "automorph";
     for (const CLI::App* sub : app.get_subcommands()) command += " " + sub->get_name();
@@ -211,7 +276,7 @@ int refuse(const CLI::App& app, const CLI::ParseError& error) {
 
 std::variant<Arguments, int> read_arguments(int count, const char* const* values) {
     CLI::App app(kAbout, "automorph");
-    app.set_version_flag("--version", "automorph " AUTOMORPH_VERSION);
+    app.set_version_flag("--version", version_text());
     app.footer(kExamples);
     app.require_subcommand(1);
     app.fallthrough();
@@ -234,10 +299,15 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
     add_shape(app, ellipsoid, star, head);
     CLI::App* info_command =
         app.add_subcommand("info", "Tells what a mesh file holds and whether it can be morphed");
-    info_command->add_option("MESH", info.meshes, "Mesh files")->type_name("FILE")->required();
+    info_command->add_option("MESH", info.meshes, "Mesh files")->type_name("MESH")->required();
+    info_command->add_flag("--json", info.json, "As a JSON array, one object per mesh");
+    info_command->footer("Its status is 0 if all meshes can be morphed, 1 otherwise.");
     CLI::App* config_command = app.add_subcommand("config", "Explains or checks configs of figures");
     config_command->add_flag("--explain", config.explain, "Print every key with type, default and meaning");
-    config_command->add_option("CONFIG", config.checked, "YAML files to check")->type_name("FILE");
+    config_command->add_option("CONFIG", config.checked, "YAML files to check")->type_name("YAML");
+
+    TextArguments texts;
+    add_texts(app, texts);
 
     try {
         app.parse(count, values);
@@ -245,6 +315,8 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
         // Help and version arrive here too.
         return error.get_exit_code() == 0 ? app.exit(error) : refuse(app, error);
     }
+    if (app.got_subcommand("help")) return print_help(app, texts);
+    if (app.got_subcommand("completion")) return print_completion(app, texts);
     CLI::App* shape_command = app.get_subcommand("shape");
     if (app.got_subcommand("figure")) arguments.command = figure;
     if (app.got_subcommand("morph")) arguments.command = morph;

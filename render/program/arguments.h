@@ -58,6 +58,7 @@ struct HeadArguments {
 
 struct InfoArguments {
     std::vector<std::filesystem::path> meshes;
+    bool json = false;
 };
 
 struct ConfigArguments {
@@ -74,8 +75,8 @@ struct Arguments {
     int threads = 0;  ///< 0: all
 };
 
-/// Either what to do, or the status to exit with at once (help, version and errors have then been printed; an
-/// error is one line on stderr and status 1).
+/// Either what to do, or the status to exit with at once (help, version, completion and errors have then been
+/// printed; an error is one line on stderr and status 1).
 std::variant<Arguments, int> read_arguments(int count, const char* const* values);
 
 }  // namespace automorph::program

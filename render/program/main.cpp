@@ -6,6 +6,7 @@
 #include <functional>
 #include <new>
 #include <optional>
+#include <type_traits>
 
 #include "morph/mesh/errors.h"
 #include "render/program/arguments.h"
@@ -27,8 +28,16 @@ int main(int count, char** values) {
         }
         program::Surroundings surroundings{arguments.quiet, arguments.threads, {}};
         if (!arguments.quiet) surroundings.progress = std::ref(terminal);
-        std::visit([&](const auto& command) { program::run(command, surroundings); }, arguments.command);
-        return 0;
+        return std::visit(
+            [&](const auto& command) {
+                if constexpr (std::is_void_v<decltype(program::run(command, surroundings))>) {
+                    program::run(command, surroundings);
+                    return 0;
+                } else {
+                    return program::run(command, surroundings);
+                }
+            },
+            arguments.command);
     } catch (const Error& error) {
         terminal.clear();
         fmt::print(stderr, "automorph: {}\n", error.what());
