@@ -71,7 +71,8 @@ a value out of range is refused with file:line:column and what is allowed.
     automorph config --explain      every key: type, default, meaning
     automorph config my.yaml        checks without rendering
 
-The configs of the paper's figures come with the program.
+The configs of the paper's figures come with the program; the Debian package
+has them in /usr/share/automorph/configs.
 )"};
 
 constexpr HelpTopic kFigures{"figures", "Rendered figures",
@@ -144,7 +145,7 @@ Features miss each other: --alignment dense (the default) is best on most pairs;
 Frames crumple on the way: pairs that differ much may do so. The report
 (--report r.json) counts triangles that turn over or pass through others.
 
-A closed shape with --domain cut needs a plane that halves both; auto needs none.
+A plane that halves both closed shapes is missing: only --domain cut needs one.
 
 It is slow: half a million triangles take minutes. Decimate first.
 
