@@ -139,6 +139,18 @@ void add_morph(CLI::App& app, MorphArguments& arguments) {
         ->type_name("N")
         ->capture_default_str();
     command->footer(kMorphExamples);
+
+    // An option that would do nothing is a mistake.
+    command->parse_complete_callback([command, &arguments] {
+        const bool glb = is_glb_file(arguments.out);
+        const auto refuse_if_given = [&](const char* flag, const char* why) {
+            if (command->get_option(flag)->count() > 0) throw CLI::ValidationError(flag, why);
+        };
+        if (glb) refuse_if_given("--frames", "is for numbered files; a .glb plays --seconds");
+        for (const char* flag : {"--seconds", "--ping-pong", "--up"}) {
+            if (!glb) refuse_if_given(flag, "is for an animated file: --out NAME.glb");
+        }
+    });
 }
 
 void add_shape_options(CLI::App& command, std::filesystem::path& out, ShapeOptions& options) {

@@ -13,7 +13,7 @@ cp -r "$here" "$work/outside"
     -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 "$cmake" --build "$work/build" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 source=$(cd "$here/../.." && pwd)
-if grep -F -- "$source" "$work/build/compile_commands.json" || grep -rF -- "$source" "$work/prefix/lib"/*/cmake; then
+if grep -rF --include '*.json' --include '*.cmake' -- "$source" "$work/build/compile_commands.json" "$work/prefix"; then
     echo "the installed package names the source tree"
     exit 1
 fi

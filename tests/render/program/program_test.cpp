@@ -275,12 +275,7 @@ TEST_CASE("the command line arrives in full") {
                                                    "--openings",
                                                    "fill",
                                                    "--seed",
-                                                   "77",
-                                                   "--seconds",
-                                                   "0.5",
-                                                   "--ping-pong",
-                                                   "--up",
-                                                   "y"});
+                                                   "77"});
     CHECK(morph.source == fs::path("a.obj"));
     CHECK(morph.target == fs::path("b.ply"));
     CHECK(morph.frames == 9);
@@ -293,9 +288,13 @@ TEST_CASE("the command line arrives in full") {
     CHECK_FALSE(morph.options.lift);
     CHECK(morph.options.openings == Openings::Fill);
     CHECK(morph.options.seed == 77);
-    CHECK(morph.seconds == 0.5);
-    CHECK(morph.ping_pong);
-    CHECK(morph.up == UpAxis::Y);
+
+    const auto animated = command_of<MorphArguments>(
+        {"morph", "a", "b", "--out", "m.glb", "--seconds", "0.5", "--ping-pong", "--up", "y"});
+    CHECK(animated.out == fs::path("m.glb"));
+    CHECK(animated.seconds == 0.5);
+    CHECK(animated.ping_pong);
+    CHECK(animated.up == UpAxis::Y);
 
     const auto plain = command_of<MorphArguments>({"morph", "a.obj", "b.ply"});
     CHECK(plain.frames == 5);
@@ -346,6 +345,9 @@ TEST_CASE("a wrong command line ends with status 1, help and version with 0") {
     CHECK(status_of({"morph", "a", "b", "--frames", "1"}) == 1);
     CHECK(status_of({"morph", "a", "b", "--alignment", "magic"}) == 1);
     CHECK(status_of({"morph", "a", "b", "--unknown"}) == 1);
+    CHECK(status_of({"morph", "a", "b", "--out", "m.glb", "--frames", "3"}) == 1);
+    CHECK(status_of({"morph", "a", "b", "--out", "m_.ply", "--seconds", "3"}) == 1);
+    CHECK(status_of({"morph", "a", "b", "--ping-pong"}) == 1);
     CHECK(status_of({"figure"}) == 1);
     CHECK(status_of({"figure", "x.yaml", "--scale", "0"}) == 1);
     CHECK(status_of({"shape", "star"}) == 1);
@@ -355,6 +357,8 @@ TEST_CASE("a wrong command line ends with status 1, help and version with 0") {
     CHECK(status_of({"--help"}) == 0);
     CHECK(status_of({"morph", "--help"}) == 0);
     CHECK(status_of({"--version"}) == 0);
+    CHECK(status_of({"help"}) == 0);
+    CHECK(status_of({"completion", "fish"}) == 1);
 }
 
 TEST_CASE("what cannot be written is refused before the work, and nothing is left") {
