@@ -9,6 +9,11 @@
 #include <map>
 
 #include "render/figure/names.h"
+#include "render/program/command_tree.h"
+#include "render/program/completion.h"
+#include "render/program/help_topics.h"
+#include "render/program/man_page.h"
+#include "render/program/version.h"
 
 namespace automorph::program {
 namespace {
@@ -29,10 +34,12 @@ constexpr const char* kExamples = R"(Examples:
   automorph info scan.stl
   automorph diff golden/ out/fig7/
       says which pictures have changed, and whether noise explains it
+  automorph help getting-started
 'automorph COMMAND --help' tells more about a command.)";
 
 constexpr const char* kMorphExamples = R"(Examples:
   automorph morph a.obj b.obj --frames 25 --out frames/m_.ply
+  automorph morph a.obj b.obj --out m.glb --seconds 3 --ping-pong       for Blender, three.js, viewers
   automorph morph a.obj b.obj --alignment none --interpolation linear --out plain_.ply
 Meshes: .off, .obj, .ply, .stl; open (one border, further openings allowed) or closed, without handles. Vertex i of a.obj goes to line i + 2 of the correspondence, in the coordinates of b.obj.)";
 
@@ -41,6 +48,8 @@ constexpr const char* kFigureExamples = R"(Examples:
   automorph figure configs/fig7.yaml --spp 4 --scale 0.5      a quick look
   automorph figure configs/*.yaml --out results               results/fig7, results/heads, ...
 'automorph config --explain' lists the keys of a config.)";
+
+constexpr std::array kUpAxes{Named<UpAxis>{"z", UpAxis::Z}, Named<UpAxis>{"y", UpAxis::Y}};
 
 template <class E, std::size_t N>
 std::map<std::string, E> choices(const std::array<Named<E>, N>& names) {
@@ -79,7 +88,7 @@ void add_choice(CLI::App& command, const std::string& flag, E& value, const std:
 
 void add_figure(CLI::App& app, FigureArguments& arguments) {
     CLI::App* command = app.add_subcommand("figure", "Makes the figures that YAML configs describe");
-    command->add_option("CONFIG", arguments.configs, "YAML files")->type_name("FILE")->required();
+    command->add_option("CONFIG", arguments.configs, "YAML files")->type_name("YAML")->required();
     command->add_option("--out", arguments.out, "Folder for the results [the config's output, or out/NAME]")
         ->type_name("DIR");
     command->add_option("--spp", arguments.spp, "Light paths per pixel, instead of the config's")
@@ -95,18 +104,27 @@ void add_morph(CLI::App& app, MorphArguments& arguments) {
     CLI::App* command = app.add_subcommand("morph", "Morphs one mesh into another and writes frames");
     command->add_option("SOURCE", arguments.source, "Mesh at alpha = 0")->type_name("MESH")->required();
     command->add_option("TARGET", arguments.target, "Mesh at alpha = 1")->type_name("MESH")->required();
-    command->add_option("--frames", arguments.frames, "How many, both ends included")
+    command->add_option("--frames", arguments.frames, "How many numbered ones, both ends included")
         ->type_name("N")
         ->check(CLI::Range(2, 100000))
         ->capture_default_str();
-    command->add_option("--out", arguments.out, "Frames: m_.ply gives m_000.ply, m_001.ply, ...")
+    command
+        ->add_option(
+            "--out", arguments.out,
+            "m.glb: one animated file; m_.ply (.off, .obj, .stl): numbered frames m_000.ply, m_001.ply, ...")
         ->type_name("FILE");
     command
         ->add_option("--correspondence", arguments.correspondence,
-                     "CSV: x,y,z on the target per source vertex")
+                     "CSV: x,y,z on the target per vertex of the source file; nan where mending dropped it")
         ->type_name("FILE");
     command->add_option("--report", arguments.report, "JSON: all that was found, used and measured")
         ->type_name("FILE");
+    command->add_option("--seconds", arguments.seconds, "From source to target, in a .glb")
+        ->type_name("X")
+        ->check(CLI::Range(0.01, 86400.0))
+        ->capture_default_str();
+    command->add_flag("--ping-pong", arguments.ping_pong, "And back again, in a .glb");
+    add_choice(*command, "--up", arguments.up, kUpAxes, "Which axis of the meshes points up, for a .glb");
     add_choice(*command, "--alignment", arguments.options.alignment, kAlignments,
                "How the maps are brought together");
     add_choice(*command, "--interpolation", arguments.interpolation, kInterpolations, "How vertices move");
@@ -123,6 +141,18 @@ void add_morph(CLI::App& app, MorphArguments& arguments) {
         ->type_name("N")
         ->capture_default_str();
     command->footer(kMorphExamples);
+
+    // An option that would do nothing is a mistake.
+    command->parse_complete_callback([command, &arguments] {
+        const bool glb = is_glb_file(arguments.out);
+        const auto refuse_if_given = [&](const char* flag, const char* why) {
+            if (command->get_option(flag)->count() > 0) throw CLI::ValidationError(flag, why);
+        };
+        if (glb) refuse_if_given("--frames", "is for numbered files; a .glb plays --seconds");
+        for (const char* flag : {"--seconds", "--ping-pong", "--up"}) {
+            if (!glb) refuse_if_given(flag, "is for an animated file: --out NAME.glb");
+        }
+    });
 }
 
 void add_shape_options(CLI::App& command, std::filesystem::path& out, ShapeOptions& options) {
@@ -183,6 +213,65 @@ void add_shape(CLI::App& app, EllipsoidArguments& round, StarArguments& star, He
     add_head(*command, head);
 }
 
+struct TextArguments {
+    std::string topic;
+    bool man = false;
+    std::string shell;
+};
+
+void add_texts(CLI::App& app, TextArguments& arguments) {
+    CLI::App* help =
+        app.add_subcommand("help", "Tells more about a topic or a command, and lists the topics");
+    std::string topics;
+    for (const HelpTopic& topic : help_topics())
+        topics += (topics.empty() ? "" : "|") + std::string(topic.name);
+    help->add_option("TOPIC", arguments.topic, "Topic or command")->type_name(topics);
+    help->add_flag("--man", arguments.man, "Print all as a manual page: automorph help --man | man -l -");
+
+    CLI::App* completion =
+        app.add_subcommand("completion", "Prints a script that completes the command line");
+    completion->add_option("SHELL", arguments.shell, "Which shell's")
+        ->type_name("bash|zsh")
+        ->required()
+        ->check([](const std::string& shell) {
+            return shell == "bash" || shell == "zsh" ? "" : "found '" + shell + "', allowed are bash|zsh";
+        });
+    completion->footer(
+        "Examples:\n  source <(automorph completion bash)      for this shell; in ~/.bashrc for all");
+}
+
+int print_help(const CLI::App& app, const TextArguments& arguments) {
+    if (arguments.man) {
+        fmt::print("{}", man_page(command_tree(app), version()));
+        return 0;
+    }
+    if (arguments.topic.empty()) {
+        fmt::print("{}", list_of_topics());
+        return 0;
+    }
+    for (const HelpTopic& topic : help_topics()) {
+        if (arguments.topic == topic.name) {
+            fmt::print("{}\n\n{}", topic.title, topic.text);
+            return 0;
+        }
+    }
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (arguments.topic == command->get_name()) {
+            fmt::print("{}", command->help("automorph"));
+            return 0;
+        }
+    }
+    fmt::print(stderr, "automorph: there is no help on '{}' ('automorph help' lists what there is)\n",
+               arguments.topic);
+    return 1;
+}
+
+int print_completion(const CLI::App& app, const TextArguments& arguments) {
+    const CommandEntry tree = command_tree(app);
+    fmt::print("{}", arguments.shell == "zsh" ? zsh_completion(tree) : bash_completion(tree));
+    return 0;
+}
+
 int refuse(const CLI::App& app, const CLI::ParseError& error) {
     std::string command = "automorph";
     for (const CLI::App* sub : app.get_subcommands()) command += " " + sub->get_name();
@@ -201,7 +290,7 @@ int refuse(const CLI::App& app, const CLI::ParseError& error) {
 
 std::variant<Arguments, int> read_arguments(int count, const char* const* values) {
     CLI::App app(kAbout, "automorph");
-    app.set_version_flag("--version", "automorph " AUTOMORPH_VERSION);
+    app.set_version_flag("--version", version_text());
     app.footer(kExamples);
     app.require_subcommand(1);
     app.fallthrough();
@@ -225,10 +314,15 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
     add_shape(app, ellipsoid, star, head);
     CLI::App* info_command =
         app.add_subcommand("info", "Tells what a mesh file holds and whether it can be morphed");
-    info_command->add_option("MESH", info.meshes, "Mesh files")->type_name("FILE")->required();
+    info_command->add_option("MESH", info.meshes, "Mesh files")->type_name("MESH")->required();
+    info_command->add_flag("--json", info.json, "As a JSON array, one object per mesh");
+    info_command->footer("Its status is 0 if all meshes can be morphed, 1 otherwise.");
     CLI::App* config_command = app.add_subcommand("config", "Explains or checks configs of figures");
     config_command->add_flag("--explain", config.explain, "Print every key with type, default and meaning");
-    config_command->add_option("CONFIG", config.checked, "YAML files to check")->type_name("FILE");
+    config_command->add_option("CONFIG", config.checked, "YAML files to check")->type_name("YAML");
+
+    TextArguments texts;
+    add_texts(app, texts);
 
     add_diff(app, diff);
 
@@ -240,6 +334,8 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
         const int status = refuse(app, error);
         return app.got_subcommand("diff") ? static_cast<int>(DiffStatus::CannotCompare) : status;
     }
+    if (app.got_subcommand("help")) return print_help(app, texts);
+    if (app.got_subcommand("completion")) return print_completion(app, texts);
     CLI::App* shape_command = app.get_subcommand("shape");
     if (app.got_subcommand("figure")) arguments.command = figure;
     if (app.got_subcommand("morph")) arguments.command = morph;

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "morph/export/write_glb.h"
 #include "morph/morph.h"
 #include "morph/shapes/head.h"
 #include "morph/shapes/shapes.h"
@@ -25,8 +26,11 @@ struct FigureArguments {
 
 struct MorphArguments {
     std::filesystem::path source, target;
-    int frames = 5;
-    std::filesystem::path out;             ///< pattern of the numbered frames; empty: none are written
+    int frames = 5;                        ///< numbered ones
+    std::filesystem::path out;             ///< a .glb, or the pattern of the numbered frames; empty: neither
+    double seconds = 2.0;                  ///< that a .glb plays, one way
+    bool ping_pong = false;                ///< of a .glb
+    UpAxis up = UpAxis::Z;                 ///< of a .glb
     std::filesystem::path correspondence;  ///< CSV; empty: not written
     std::filesystem::path report;          ///< JSON; empty: not written
     MorphOptions options;
@@ -55,6 +59,7 @@ struct HeadArguments {
 
 struct InfoArguments {
     std::vector<std::filesystem::path> meshes;
+    bool json = false;
 };
 
 struct ConfigArguments {
@@ -71,8 +76,8 @@ struct Arguments {
     int threads = 0;  ///< 0: all
 };
 
-/// Either what to do, or the status to exit with at once (help, version and errors have then been printed; an
-/// error is one line on stderr and status 1, 2 for `diff`).
+/// Either what to do, or the status to exit with at once (help, version, completion and errors have then been
+/// printed; an error is one line on stderr and status 1, 2 for `diff`).
 std::variant<Arguments, int> read_arguments(int count, const char* const* values);
 
 }  // namespace automorph::program

@@ -18,10 +18,11 @@ void run(const MorphArguments& arguments, const Surroundings& surroundings);
 void run(const EllipsoidArguments& arguments, const Surroundings& surroundings);
 void run(const StarArguments& arguments, const Surroundings& surroundings);
 void run(const HeadArguments& arguments, const Surroundings& surroundings);
-void run(const InfoArguments& arguments, const Surroundings& surroundings);
 void run(const ConfigArguments& arguments, const Surroundings& surroundings);
 
 /// Returns the status to exit with, a DiffStatus; throws nothing.
 int run(const DiffArguments& arguments, const Surroundings& surroundings) noexcept;
+/// Returns the status to exit with: 1 if a mesh cannot be read or morphed.
+int run(const InfoArguments& arguments, const Surroundings& surroundings);
 
 }  // namespace automorph::program

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "morph/export/write_glb.h"
 #include "morph/frame_check.h"
 #include "morph/mesh/errors.h"
 #include "morph/mesh/io.h"
@@ -14,9 +15,10 @@ namespace {
 
 /// What can be refused is refused before the work.
 void prepare_outputs(const MorphArguments& arguments) {
-    if (!arguments.out.empty() && !is_mesh_file(arguments.out)) {
-        throw IoError(
-            fmt::format("{}: frames are written as .off, .obj, .ply or .stl", arguments.out.string()));
+    if (!arguments.out.empty() && !is_mesh_file(arguments.out) && !is_glb_file(arguments.out)) {
+        throw IoError(fmt::format(
+            "{}: a morph is written as .glb (one animated file), or as numbered .off, .obj, .ply or .stl",
+            arguments.out.string()));
     }
     for (const auto& file : {arguments.out, arguments.correspondence, arguments.report}) {
         if (file.has_parent_path()) make_folder(file.parent_path());
@@ -31,6 +33,20 @@ void write_frames(const MorphArguments& arguments, const Morph& result, const Pr
     }
 }
 
+/// Writes what --out asks for; returns what was written, for the reader.
+std::string write_morph(const MorphArguments& arguments, const Morph& result, const Progress& progress) {
+    if (is_glb_file(arguments.out)) {
+        write_glb(arguments.out, result.triangles(), result.endpoints(),
+                  {.animation = {arguments.interpolation, arguments.seconds, arguments.ping_pong},
+                   .up = arguments.up,
+                   .name = arguments.source.stem().string() + " to " + arguments.target.stem().string()});
+        return arguments.out.string() + "\n";
+    }
+    write_frames(arguments, result, progress);
+    return fmt::format("{} ... {}\n", numbered(arguments.out, 0, arguments.frames).string(),
+                       numbered(arguments.out, arguments.frames - 1, arguments.frames).string());
+}
+
 }  // namespace
 
 void run(const MorphArguments& arguments, const Surroundings& surroundings) {
@@ -42,17 +58,13 @@ void run(const MorphArguments& arguments, const Surroundings& surroundings) {
         fmt::print("{}{}", meshes_summary(result.report()), morph_summary(result.report()));
 
     std::string written;
-    if (!arguments.out.empty()) {
-        write_frames(arguments, result, surroundings.progress);
-        written += fmt::format("{} ... {}\n", numbered(arguments.out, 0, arguments.frames).string(),
-                               numbered(arguments.out, arguments.frames - 1, arguments.frames).string());
-    }
+    if (!arguments.out.empty()) written += write_morph(arguments, result, surroundings.progress);
     if (!arguments.correspondence.empty()) {
         write_text_file(arguments.correspondence, points_csv(result.correspondence()));
         written += arguments.correspondence.string() + "\n";
     }
     if (!arguments.report.empty()) {
-        write_text_file(arguments.report, report_json(report_with_frames(result)) + "\n");
+        write_text_file(arguments.report, report_json(report_with_frames(result, arguments.interpolation)));
         written += arguments.report.string() + "\n";
     }
     if (surroundings.quiet) return;

@@ -1,6 +1,9 @@
 // Runs the built program as a user does.
 
 #include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -33,7 +36,14 @@ TEST_CASE("help teaches by examples and the version is told") {
         CHECK(help.out.find(phrase) != std::string::npos);
     }
     CHECK(run_program(folder, "morph --help").out.find("--correspondence") != std::string::npos);
-    CHECK(run_program(folder, "--version").out.rfind("automorph ", 0) == 0);
+    const Run version = run_program(folder, "--version");
+    CHECK(version.out.rfind("automorph ", 0) == 0);
+    for (const char* library : {"Embree ", "OpenImageIO ", "Eigen ", "CGAL ", "OpenMesh ", "yaml-cpp "}) {
+        const auto at = version.out.find(library);
+        INFO(version.out);
+        REQUIRE(at != std::string::npos);
+        CHECK(std::isdigit(static_cast<unsigned char>(version.out[at + std::strlen(library)])));
+    }
     CHECK(run_program(folder, "config --explain").out.find("picture.spp\n") != std::string::npos);
 }
 
@@ -73,6 +83,58 @@ TEST_CASE(
     CHECK(lines_in(csv) == a.V.rows() + 1);
     CHECK(csv.find("nan") == std::string::npos);
     CHECK(content(folder / "r.json").find("\"rotation\"") != std::string::npos);
+}
+
+TEST_CASE("a morph is written as one animated file, by its extension") {
+    const TemporaryFolder folder;
+    make_shapes(folder);
+    const Run morph =
+        run_program(folder, "morph a.off b.ply --out made/m.glb --seconds 3 --ping-pong --up y");
+    INFO(morph.err);
+    REQUIRE(morph.status == 0);
+    CHECK(morph.out.find("written       made/m.glb\n") != std::string::npos);
+    CHECK(names_in(folder / "made") == std::set<std::string>{"m.glb"});
+    const std::string glb = content(folder / "made/m.glb");
+    CHECK(glb.rfind("glTF", 0) == 0);
+    CHECK(glb.find("\"name\":\"a to b\"") != std::string::npos);
+    CHECK(glb.find("\"max\":[6.0]") != std::string::npos);  // seconds there and back
+    CHECK(glb.find("\"generator\":\"automorph ") != std::string::npos);
+}
+
+TEST_CASE("info tells what a mesh holds, and by its status whether it can be morphed") {
+    const TemporaryFolder folder;
+    make_shapes(folder);
+    std::ofstream(folder / "fan.off") << "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0\n0 1 0\n-1 0 0\n"
+                                         "3 0 1 2\n3 0 1 3\n3 0 1 4\n";
+    const Run good = run_program(folder, "info a.off b.ply");
+    CHECK(good.status == 0);
+    CHECK(good.out.find("1 part, closed, genus 0") != std::string::npos);
+    const Run bad = run_program(folder, "info a.off fan.off b.ply gone.off");
+    CHECK(bad.status == 1);
+    CHECK(bad.out.find("cannot be morphed") != std::string::npos);
+    CHECK(bad.out.find("b.ply\n") != std::string::npos);
+    CHECK(lines_in(bad.err) == 1);
+    const Run json = run_program(folder, "info --json a.off fan.off gone.off");
+    CHECK(json.status == 1);
+    CHECK(json.err.empty());
+    CHECK(json.out.rfind("[\n", 0) == 0);
+    CHECK(run_program(folder, "info --json a.off").status == 0);
+}
+
+TEST_CASE("help tells of every topic and command, and of no other") {
+    const TemporaryFolder folder;
+    const Run list = run_program(folder, "help");
+    CHECK(list.status == 0);
+    CHECK(list.out.find("getting-started") != std::string::npos);
+    CHECK(run_program(folder, "help output-files").out.find("Line i + 2 is vertex i") != std::string::npos);
+    CHECK(run_program(folder, "help morph").out.find("--correspondence") != std::string::npos);
+    const Run page = run_program(folder, "help --man");
+    CHECK(page.status == 0);
+    CHECK(page.out.find(".TH AUTOMORPH 1") != std::string::npos);
+    const Run unknown = run_program(folder, "help knitting");
+    CHECK(unknown.status == 1);
+    CHECK(unknown.err.find("there is no help on 'knitting'") != std::string::npos);
+    CHECK(lines_in(unknown.err) == 1);
 }
 
 TEST_CASE("results do not depend on the number of threads, and --quiet prints nothing") {
@@ -130,7 +192,9 @@ TEST_CASE("every error is one line on stderr and status 1, and leaves nothing be
     };
     check("morph gone.off b.ply --out m_.ply", "gone.off");
     check("morph a.off broken.off --out m_.ply", "broken.off:4: ");
-    check("morph a.off b.ply --out m_.jpg", "m_.jpg");
+    check("morph a.off b.ply --out m_.jpg", "m_.jpg: a morph is written as .glb");
+    check("morph a.off b.ply --out m.glb --seconds 0", "--seconds");
+    check("completion tcsh", "allowed are bash|zsh");
     check("morph a.off b.ply --out a.off/m_.ply", "a.off: cannot be used as output folder");
     check("morph a.off b.ply --correspondence a.off/c.csv", "a.off");
     check("morph a.off b.ply --frames few", "--frames");

@@ -1,5 +1,11 @@
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "morph/mesh/errors.h"
@@ -7,6 +13,9 @@
 #include "render/program/arguments.h"
 #include "render/program/commands.h"
 #include "render/program/frame_files.h"
+#include "render/program/help_topics.h"
+#include "render/program/man_page.h"
+#include "render/program/mesh_info.h"
 #include "render/program/summary.h"
 #include "render/program/terminal_progress.h"
 #include "tests/catch.h"
@@ -106,6 +115,136 @@ TEST_CASE("the summary tells what was found, and says so when the registration i
     CHECK(morph_summary(report).find("UNSURE") == std::string::npos);
 }
 
+TEST_CASE("help topics fit a terminal and have names of their own") {
+    std::set<std::string> names;
+    for (const HelpTopic& topic : help_topics()) {
+        CHECK(names.insert(topic.name).second);
+        CHECK(list_of_topics().find(topic.name) != std::string::npos);
+        std::istringstream text(topic.text);
+        for (std::string line; std::getline(text, line);) {
+            INFO(topic.name << ": " << line);
+            CHECK(line.size() <= 80);
+        }
+    }
+}
+
+TEST_CASE("the manual page has every command and option, and no line that troff would take for its own") {
+    CommandEntry program;
+    program.about = ".about\n'quoted' \\ text";
+    program.options = {{{"--quiet", "-q"}, "", "", "", "", "Says nothing", false}};
+    CommandEntry shape{{"shape"}, "Shapes", "", {}, {}};
+    shape.commands = {{{"shape", "star"},
+                       "A star",
+                       "Examples:\n  .hidden file",
+                       {{{}, "OUT", "FILE", "", "", "Where to", true},
+                        {{"--arms"}, "", "N", "in [3 - 64]", "5", "How many", false},
+                        {{"--kind"}, "", "round|sharp", "", "sharp", "Which", false}},
+                       {}}};
+    program.commands = {shape};
+    const std::string page = man_page(program, "1.2.3");
+    for (const char* part : {"automorph 1.2.3", "\n\\&.about\n\\&'quoted' \\e text\n", "\n.SS shape star\n",
+                             "\\fBautomorph shape star\\fR [\\fIOPTIONS\\fR] \\fIOUT\\fR",
+                             "\\fB\\-\\-arms\\fR \\fIN\\fR\n", "How many (in [3 \\- 64], default 5)",
+                             "\n.nf\n  .hidden file\n.fi\n", "\\fB\\-\\-quiet\\fR, \\fB\\-q\\fR"}) {
+        INFO(part);
+        CHECK(page.find(part) != std::string::npos);
+    }
+    for (const HelpTopic& topic : help_topics()) {
+        std::string heading = std::string("\n.SH ") + topic.title + "\n";
+        for (char& c : heading) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        CHECK(page.find(heading) != std::string::npos);
+    }
+    CHECK(program.commands[0].commands[0].options[2].choices() == std::vector<std::string>{"round", "sharp"});
+}
+
+TEST_CASE("a mesh file is described by counts, size, borders, and what would be mended") {
+    const TemporaryFolder folder;
+    // A square of two triangles, one with corners of its own, and a vertex that nothing uses.
+    std::ofstream(folder / "square.off")
+        << "OFF\n7 2 0\n0 0 0\n3 0 0\n3 4 0\n0 0 0\n3 4 0\n0 4 0\n9 9 9\n3 0 1 2\n3 3 4 5\n";
+    const MeshInfo info = examine(folder / "square.off");
+    CHECK(info.refusal.empty());
+    CHECK(info.found.vertices == 7);
+    CHECK(info.found.components == 2);
+    CHECK(info.found.duplicate_vertices == 2);
+    CHECK(info.found.unused_vertices == 1);
+    CHECK(info.admitted.vertices == 4);
+    CHECK(info.mended.size() == 2);
+    REQUIRE(info.loops.size() == 1);
+    CHECK(info.loops[0].vertices == 4);
+    CHECK(info.loops[0].length == Approx(14));
+    CHECK(info.area == Approx(12));
+    CHECK(info.high == Eigen::Vector3d(9, 9, 9));
+    const std::string text = info_text(info);
+    for (const char* part :
+         {"7 vertices, 2 polygons", "9 x 9 x 9", "2 duplicate vertices, 1 unused vertex",
+          "the border of 4 vertices, 14 long", "can be morphed: 4 vertices, 2 triangles, open"}) {
+        INFO(part);
+        CHECK(text.find(part) != std::string::npos);
+    }
+    CHECK(std::count(text.begin(), text.end(), '\n') == 10);
+    CHECK(text.find("  mending    ") != std::string::npos);
+
+    write_mesh(folder / "ball.off", ellipsoid({1, 1, 1}, {.triangles = 2000}));
+    const MeshInfo ball = examine(folder / "ball.off");
+    CHECK(ball.volume == Approx(4.0 / 3.0 * 3.14159265).epsilon(0.01));
+    const auto json = nlohmann::json::parse(info_json({info, ball, examine(folder / "gone.off")}));
+    REQUIRE(json.size() == 3);
+    CHECK(json[0]["admissible"] == true);
+    CHECK(json[0]["found"]["duplicate_vertices"] == 2);
+    CHECK(json[0]["loops"][0]["length"] == Approx(14));
+    CHECK_FALSE(json[0].contains("volume"));
+    CHECK(json[1]["volume"] == Approx(ball.volume));
+    CHECK(json[1]["admitted"]["genus"] == 0);
+    CHECK(json[2]["admissible"] == false);
+    CHECK(json[2]["refusal"].get<std::string>().find("gone.off") != std::string::npos);
+    CHECK_FALSE(json[2].contains("found"));
+}
+
+TEST_CASE("a row of a correspondence is a vertex of the file, whatever was mended") {
+    const TemporaryFolder folder;
+    // The shape as an .stl would have it, every triangle with corners of its own, a vertex that nothing uses
+    // in front, and a stray triangle at the end.
+    const Mesh shape = ellipsoid({1, 0.7, 0.5}, {.triangles = 200});
+    Mesh torn;
+    torn.V.resize(3 * shape.F.rows() + 4, 3);
+    torn.F.resize(shape.F.rows() + 1, 3);
+    torn.V.row(0).setConstant(0.25);
+    for (int f = 0; f < shape.F.rows(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            torn.F(f, k) = 1 + 3 * f + k;
+            torn.V.row(1 + 3 * f + k) = shape.V.row(shape.F(f, k));
+        }
+    }
+    const int last = static_cast<int>(torn.V.rows()) - 3;
+    torn.F.row(shape.F.rows()) << last, last + 1, last + 2;
+    torn.V.bottomRows(3) << 0, 0, 0, 0.01, 0, 0, 0, 0.01, 0;
+    write_mesh(folder / "torn.ply", torn);
+    write_mesh(folder / "whole.ply", shape);
+
+    MorphArguments arguments;
+    arguments.source = folder / "torn.ply";
+    arguments.target = folder / "whole.ply";
+    arguments.correspondence = folder / "c.csv";
+    run(arguments, {true, 0, {}});
+    std::ifstream csv(folder / "c.csv");
+    std::string line;
+    std::getline(csv, line);
+    CHECK(line == "x,y,z");
+    for (int v = 0; v < torn.V.rows(); ++v) {
+        INFO("vertex " << v);
+        REQUIRE(std::getline(csv, line));
+        if (v == 0 || v >= last) {
+            CHECK(line == "nan,nan,nan");
+            continue;
+        }
+        Eigen::RowVector3d to;
+        REQUIRE(std::sscanf(line.c_str(), "%lf,%lf,%lf", &to[0], &to[1], &to[2]) == 3);
+        CHECK((to - torn.V.row(v)).norm() < 0.02);  // the target is the same shape
+    }
+    CHECK_FALSE(std::getline(csv, line));
+}
+
 TEST_CASE("the progress bar grows with the fraction and stays within its brackets") {
     CHECK(progress_bar("x", 0, 0) == "[....................]   0 %  x");
     CHECK(progress_bar("x", 0.5, 10) == "[##########..........]  50 %  x, 10 s left");
@@ -150,12 +289,22 @@ TEST_CASE("the command line arrives in full") {
     CHECK(morph.options.openings == Openings::Fill);
     CHECK(morph.options.seed == 77);
 
+    const auto animated = command_of<MorphArguments>(
+        {"morph", "a", "b", "--out", "m.glb", "--seconds", "0.5", "--ping-pong", "--up", "y"});
+    CHECK(animated.out == fs::path("m.glb"));
+    CHECK(animated.seconds == 0.5);
+    CHECK(animated.ping_pong);
+    CHECK(animated.up == UpAxis::Y);
+
     const auto plain = command_of<MorphArguments>({"morph", "a.obj", "b.ply"});
     CHECK(plain.frames == 5);
     CHECK(plain.options.alignment == Alignment::Dense);
     CHECK(plain.interpolation == Interpolation::Slerp);
     CHECK(plain.options.domain == Domain::Auto);
     CHECK(plain.options.lift);
+    CHECK(plain.seconds == 2);
+    CHECK_FALSE(plain.ping_pong);
+    CHECK(plain.up == UpAxis::Z);
 
     const auto features = command_of<MorphArguments>({"morph", "a", "b", "--alignment", "features"});
     CHECK(features.options.alignment == Alignment::Features);
@@ -196,6 +345,9 @@ TEST_CASE("a wrong command line ends with status 1, help and version with 0") {
     CHECK(status_of({"morph", "a", "b", "--frames", "1"}) == 1);
     CHECK(status_of({"morph", "a", "b", "--alignment", "magic"}) == 1);
     CHECK(status_of({"morph", "a", "b", "--unknown"}) == 1);
+    CHECK(status_of({"morph", "a", "b", "--out", "m.glb", "--frames", "3"}) == 1);
+    CHECK(status_of({"morph", "a", "b", "--out", "m_.ply", "--seconds", "3"}) == 1);
+    CHECK(status_of({"morph", "a", "b", "--ping-pong"}) == 1);
     CHECK(status_of({"figure"}) == 1);
     CHECK(status_of({"figure", "x.yaml", "--scale", "0"}) == 1);
     CHECK(status_of({"shape", "star"}) == 1);
@@ -205,6 +357,8 @@ TEST_CASE("a wrong command line ends with status 1, help and version with 0") {
     CHECK(status_of({"--help"}) == 0);
     CHECK(status_of({"morph", "--help"}) == 0);
     CHECK(status_of({"--version"}) == 0);
+    CHECK(status_of({"help"}) == 0);
+    CHECK(status_of({"completion", "fish"}) == 1);
 }
 
 TEST_CASE("what cannot be written is refused before the work, and nothing is left") {

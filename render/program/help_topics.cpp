@@ -1,0 +1,171 @@
+#include "render/program/help_topics.h"
+
+#include <fmt/format.h>
+
+namespace automorph::program {
+namespace {
+
+constexpr HelpTopic kGettingStarted{"getting-started", "First steps",
+                                    R"(Look whether your meshes can be morphed, and what would be mended:
+
+    automorph info a.obj b.obj
+
+Morph the first into the second. For Blender, three.js or a viewer, as one
+animated file; for anything else, as numbered meshes:
+
+    automorph morph a.obj b.obj --out m.glb
+    automorph morph a.obj b.obj --out m_.ply --frames 25
+
+No points have to be marked, and the meshes may differ in place, pose, size
+and number of triangles. What was found and done is printed; read the lines
+"note" and "registration": where it says UNSURE, look at the first frames.
+
+Without meshes at hand, make some:
+
+    automorph shape head a.ply --preset asian --crop face
+    automorph shape head b.ply --preset broad --crop face
+    automorph morph a.ply b.ply --out m.glb --up y
+
+Rendered rows and sheets of cells come from a config:
+
+    automorph figure my.yaml
+)"};
+
+constexpr HelpTopic kMeshes{"meshes", "Which meshes can be morphed",
+                            R"(Read are .off, .obj, .ply and .stl, text and binary. Of colours, textures and
+normals nothing is used.
+
+A mesh must be one surface without handles (genus 0): closed like a ball, or
+open with one border and any number of further openings (eyes, mouth). The
+longest loop is the border; other openings are filled for the maps and opened
+again, or stay filled with --openings fill.
+
+Mended, and said so: vertices that appear several times (as in every .stl),
+polygons, triangles without corners of their own, triangles that face the
+other way, unused vertices, a few stray triangles beside the shape.
+
+Refused, with what was found, where, and what to do: handles, edges of three
+or more triangles, several large parts, no triangles, no area.
+
+'automorph info MESH' tells all that of a file; with --json for scripts; its
+status is 1 if a mesh cannot be morphed.
+
+What corresponds to what is found from shape alone. Two shapes of one kind
+(two faces, two bottles) make the best pairs.
+)"};
+
+constexpr HelpTopic kConfigs{"configs", "Configs of figures",
+                             R"(A figure is described by a YAML file:
+
+    source: a.obj
+    target: b.obj
+    rows:
+      - {label: plain, alignment: none, interpolation: linear}
+      - {label: dense, alignment: dense}
+    alphas: [0, 1/4, 1/2, 3/4, 1]
+    picture: {width: 400, height: 400, spp: 64}
+
+Paths are relative to the config. A key that does not exist, a wrong type or
+a value out of range is refused with file:line:column and what is allowed.
+
+    automorph config --explain      every key: type, default, meaning
+    automorph config my.yaml        checks without rendering
+
+The configs of the paper's figures come with the program; the Debian package
+has them in /usr/share/automorph/configs.
+)"};
+
+constexpr HelpTopic kFigures{"figures", "Rendered figures",
+                             R"(    automorph figure my.yaml                        into out/my
+    automorph figure my.yaml --out results
+    automorph figure my.yaml --spp 4 --scale 0.5    a quick look
+
+The folder holds sheet.png, every cell as EXR (linear, all layers) and PNG,
+and metrics.json with what the morph found, used and measured. The same
+config and seed give the same pixels, whatever the number of threads.
+
+picture.spp is the number of light paths per pixel: noise halves with four
+times as many. picture.up is the direction that points up, z unless said
+otherwise; faces often have y: up: [0, 1, 0].
+)"};
+
+constexpr HelpTopic kOutputFiles{"output-files", "What 'automorph morph' writes",
+                                 R"(--out m.glb is one file of glTF 2.0 with the merged mesh, the target as a
+morph target, and an animation of --seconds (with --ping-pong, there and back).
+The rigid part of the morph is the turn and move of a node, the rest the weight
+of the morph target: exactly the frames that --out m_.ply would write, at any
+time. --up says which axis of your meshes points up (glTF's own is y): z is the
+default, heads and faces often have y.
+
+--out m_.ply (.off, .obj, .stl) gives --frames numbered meshes, the first equal
+to the source, the last to the target, all with the same triangles: the
+vertices and edges of both shapes, and their crossings. Coordinates are those of
+the mesh files. .stl has single precision, the others keep every digit.
+
+--correspondence c.csv has a header x,y,z and then one line per vertex of the
+source file, in the file's own order: where it goes on the target's surface, in
+the coordinates of the target's file. Line i + 2 is vertex i (from 0), whatever
+was mended: vertices that were merged have the same line, a vertex that no
+triangle uses or whose triangles were dropped as stray has nan,nan,nan.
+
+--report r.json has all that was found, used and measured.
+
+Every file is written aside and renamed: none is ever half there.
+)"};
+
+constexpr HelpTopic kBlender{"blender", "A morph in Blender, three.js and viewers",
+                             R"(    automorph morph a.obj b.obj --out m.glb
+
+Blender: File > Import > glTF 2.0, then play. The animation takes 48 frames at
+24 per second (--seconds 2). World coordinates are those of your mesh files,
+unless --up y stood the shape up. The shape key "target" is the morph, the
+object's rotation and location its rigid part.
+
+Debian 12's Blender 3.4 stops with "module 'numpy' has no attribute 'bool'" on
+any glTF file with normals. In the import dialog, set Shading to Smooth Shading.
+
+three.js: GLTFLoader, then an AnimationMixer plays gltf.animations[0].
+
+Windows' 3D Viewer and most others: open the file, the animation plays.
+)"};
+
+constexpr HelpTopic kTroubleshooting{
+    "troubleshooting", "When something goes wrong",
+    R"("cannot be morphed": the message says what to do, see 'automorph help meshes'.
+In most programs for meshes: "merge by distance", "fill holes", "make manifold",
+"delete loose".
+
+The shape turns the wrong way, or front meets back: the registration found
+another pose; the summary then says UNSURE. Turn one mesh roughly as the other
+in any program and try again, or try --seed 2.
+
+Features miss each other: --alignment dense (the default) is best on most pairs;
+--alignment features is the paper's own.
+
+Frames crumple on the way: pairs that differ much may do so. The report
+(--report r.json) counts triangles that turn over or pass through others.
+
+A plane that halves both closed shapes is missing: only --domain cut needs one.
+
+It is slow: half a million triangles take minutes. Decimate first.
+
+"the font is missing": install fonts-dejavu-core, or set AUTOMORPH_FONT to a
+TrueType file.
+)"};
+
+}  // namespace
+
+const std::vector<HelpTopic>& help_topics() {
+    static const std::vector<HelpTopic> topics{kGettingStarted, kMeshes,  kConfigs,        kFigures,
+                                               kOutputFiles,    kBlender, kTroubleshooting};
+    return topics;
+}
+
+std::string list_of_topics() {
+    std::string text = "'automorph help TOPIC' tells about:\n";
+    for (const HelpTopic& topic : help_topics())
+        text += fmt::format("  {:<16} {}\n", topic.name, topic.title);
+    return text + "and 'automorph help COMMAND' about a command's options.\n";
+}
+
+}  // namespace automorph::program

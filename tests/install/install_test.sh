@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Another project finds, links and runs the installed libraries, and sees nothing of this source tree.
+#   install_test.sh BUILD CMAKE COMPILER
+set -euo pipefail
+build=$1 cmake=$2 compiler=$3
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+"$cmake" --install "$build" --prefix "$work/prefix" --component development >"$work/log"
+cp -r "$here" "$work/outside"
+"$cmake" -S "$work/outside" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_CXX_COMPILER="$compiler" \
+    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+"$cmake" --build "$work/build" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+source=$(cd "$here/../.." && pwd)
+if grep -rF --include '*.json' --include '*.cmake' -- "$source" "$work/build/compile_commands.json" "$work/prefix"; then
+    echo "the installed package names the source tree"
+    exit 1
+fi
+cd "$work"
+./build/outside
+[[ $(head -c 4 m.glb) == glTF ]]
