@@ -1,19 +1,17 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
 #include <cassert>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <limits>
 
 #include "morph/mesh/errors.h"
 #include "morph/mesh/readers.h"
+#include "morph/mesh/write_file.h"
 
 namespace automorph {
 
@@ -83,33 +81,6 @@ void check_coordinates(const std::string& name, const Mesh& mesh, double largest
     }
 }
 
-/// Writes aside and renames; on any failure the partial file is removed.
-void write_bytes(const std::filesystem::path& file, const fmt::memory_buffer& bytes) {
-    std::filesystem::path aside = file;
-    aside += fmt::format(".{}.part", static_cast<long>(getpid()));
-    std::error_code error;
-    std::ofstream out(aside, std::ios::binary | std::ios::trunc);
-    if (!out) {
-        throw IoError(fmt::format("{}: cannot be written: {}; check that its folder exists and is writable",
-                                  file.string(), std::strerror(errno)));
-    }
-    errno = 0;
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    if (!out) {
-        const int reason = errno;
-        std::filesystem::remove(aside, error);
-        throw IoError(fmt::format("{}: cannot be written: {}", file.string(),
-                                  reason != 0 ? std::strerror(reason) : "the disk may be full"));
-    }
-    std::filesystem::rename(aside, file, error);
-    if (error) {
-        const std::string reason = error.message();
-        std::filesystem::remove(aside, error);
-        throw IoError(fmt::format("{}: cannot be written: {}", file.string(), reason));
-    }
-}
-
 }  // namespace
 
 void write_mesh(const std::filesystem::path& file, const Mesh& mesh) {
@@ -125,7 +96,7 @@ void write_mesh(const std::filesystem::path& file, const Mesh& mesh) {
     if (format == MeshFormat::Obj) append_obj(mesh, out);
     if (format == MeshFormat::Ply) append_ply(mesh, out);
     if (format == MeshFormat::Stl) append_stl(mesh, out);
-    write_bytes(file, out);
+    write_file(file, {out.data(), out.size()});
 }
 
 PolygonSoup polygon_soup(const Mesh& mesh) {

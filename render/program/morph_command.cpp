@@ -41,6 +41,8 @@ void run(const MorphArguments& arguments, const Surroundings& surroundings) {
     if (!surroundings.quiet)
         fmt::print("{}{}", meshes_summary(result.report()), morph_summary(result.report()));
 
+    for (const std::string& doubt : doubts(result.report())) surroundings.warn(doubt);
+
     std::string written;
     if (!arguments.out.empty()) {
         write_frames(arguments, result, surroundings.progress);
