@@ -1,20 +1,68 @@
 #include "morph/mesh/write_file.h"
 
 #include <fmt/format.h>
+#include <signal.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 
 #include "morph/mesh/errors.h"
+#include "morph/mesh/write_gate.h"
 
 namespace automorph {
 
-void write_file(const std::filesystem::path& file, std::string_view bytes) {
-    std::filesystem::path aside = file;
-    aside += fmt::format(".{}.part", static_cast<long>(getpid()));
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kPart = ".part";
+
+struct Leftover {
+    std::string name;  // of the file that was to be
+    long process;
+};
+
+/// Takes apart what name_aside() made; an empty name for other files.
+Leftover parse_aside(std::string_view text) {
+    const auto is_digits = [](std::string_view part) {
+        return !part.empty() && part.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    if (text.size() < kPart.size() || text.substr(text.size() - kPart.size()) != kPart) return {};
+    text.remove_suffix(kPart.size());
+    const std::size_t dash = text.rfind('-'), dot = text.rfind('.');
+    if (dash == std::string_view::npos || dot == std::string_view::npos || dash < dot) return {};
+    const std::string_view process = text.substr(dot + 1, dash - dot - 1);
+    if (!is_digits(process) || !is_digits(text.substr(dash + 1))) return {};
+    Leftover result{std::string(text.substr(0, dot)), 0};
+    const auto read = std::from_chars(process.data(), process.data() + process.size(), result.process);
+    if (read.ec != std::errc()) return {};
+    return result;
+}
+
+/// A process that is not ours may still write; one of ours has no file aside between two writes.
+bool writes_still(long process) {
+    if (process == ::getpid()) return false;
+    return ::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
+}
+
+}  // namespace
+
+fs::path name_aside(const fs::path& file) {
+    static std::atomic<unsigned> counter{0};
+    fs::path aside = file;
+    aside += fmt::format(".{}-{}{}", static_cast<long>(::getpid()), counter++, kPart);
+    return aside;
+}
+
+void write_file(const fs::path& file, std::string_view bytes) {
+    const UnbrokenWrite whole;
+    const fs::path aside = name_aside(file);
     std::error_code error;
+    errno = 0;
     std::ofstream out(aside, std::ios::binary | std::ios::trunc);
     if (!out) {
         throw IoError(fmt::format("{}: cannot be written: {}; check that its folder exists and is writable",
@@ -25,15 +73,25 @@ void write_file(const std::filesystem::path& file, std::string_view bytes) {
     out.close();
     if (!out) {
         const int reason = errno;
-        std::filesystem::remove(aside, error);
+        fs::remove(aside, error);
         throw IoError(fmt::format("{}: cannot be written: {}", file.string(),
                                   reason != 0 ? std::strerror(reason) : "the disk may be full"));
     }
-    std::filesystem::rename(aside, file, error);
+    fs::rename(aside, file, error);
     if (error) {
         const std::string reason = error.message();
-        std::filesystem::remove(aside, error);
+        fs::remove(aside, error);
         throw IoError(fmt::format("{}: cannot be written: {}", file.string(), reason));
+    }
+}
+
+void remove_leftovers(const fs::path& folder, const std::function<bool(const std::string& name)>& is_ours) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, error)) {
+        const Leftover left = parse_aside(entry.path().filename().string());
+        if (left.name.empty() || !is_ours(left.name) || writes_still(left.process)) continue;
+        std::error_code ignored;
+        fs::remove(entry.path(), ignored);
     }
 }
 

@@ -1,14 +1,25 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <string_view>
 
 namespace automorph {
 
-/// Writes a file aside, in the same folder, and renames it, so that a reader never sees half of it.
+/// Writes a file aside, in the same folder, and renames it, so that a reader never sees half of it. A request
+/// to stop (write_gate.h) waits until the file is whole.
 /// @throws IoError naming the file and the system's reason; nothing is left behind, and an existing file
-/// stays
-///         as it was
+///         stays as it was
 void write_file(const std::filesystem::path& file, std::string_view bytes);
+
+/// The name under which `file` is written before it is renamed: `file` with ".<process>-<number>.part" behind
+/// it. No other writer on this machine takes it.
+std::filesystem::path name_aside(const std::filesystem::path& file);
+
+/// Removes what killed processes of this machine left aside in a folder; a folder that is not there has none.
+/// @param is_ours  told the name of a file, whether leftovers of writing it are to go
+void remove_leftovers(const std::filesystem::path& folder,
+                      const std::function<bool(const std::string& name)>& is_ours);
 
 }  // namespace automorph

@@ -16,6 +16,38 @@ constexpr double kLeastDistance = 0.01;  // of the nearest point, in depths of t
 constexpr double kRounding = 1e-12;      // relative to the coordinates
 constexpr double kRadians = 3.14159265358979324 / 180.0;
 
+/// The least value of functional . p while p turns. With p = foot on the axis + r, that is functional . foot
+/// + A cos(phi) + B sin(phi), A = functional . r and B = functional . (axis x r): least at the ends, or
+/// opposite to the angle of (A, B) if the turn comes there.
+class LeastInSweep {
+public:
+    explicit LeastInSweep(const Sweep& sweep)
+        : point_(sweep.point),
+          axis_(sweep.axis.normalized()),
+          from_(std::min(sweep.from, sweep.to) * kRadians),
+          length_(std::abs(sweep.to - sweep.from) * kRadians),
+          is_whole_(length_ >= kTurn) {}
+
+    double operator()(const Eigen::Vector3d& functional, const Eigen::Vector3d& p) const {
+        const Eigen::Vector3d d = p - point_;
+        const Eigen::Vector3d foot = d.dot(axis_) * axis_, r = d - foot;
+        const double a = functional.dot(r), b = functional.dot(cross(axis_, r));
+        const double middle = functional.dot(point_ + foot), amplitude = std::hypot(a, b);
+        if (is_whole_) return middle - amplitude;
+        double to_least = std::remainder(std::atan2(b, a) + 0.5 * kTurn - from_, kTurn);
+        if (to_least < 0.0) to_least += kTurn;
+        if (to_least <= length_) return middle - amplitude;
+        const auto at = [&](double phi) { return middle + a * std::cos(phi) + b * std::sin(phi); };
+        return std::min(at(from_), at(from_ + length_));
+    }
+
+private:
+    static constexpr double kTurn = 360.0 * kRadians;
+    Eigen::Vector3d point_, axis_;
+    double from_, length_;
+    bool is_whole_;
+};
+
 }  // namespace
 
 // Notation: camera at c with axes r, u, f (right, up, forward), X = p.r and so on for a point p, cx = c.r
@@ -62,6 +94,20 @@ void Framing::add(const Points& V) {
         min_bottom_ = std::min(min_bottom_, tan_y_ * z + y);
         nearest_ = std::min(nearest_, z);
         farthest_ = std::max(farthest_, z);
+    }
+}
+
+void Framing::add(const Points& V, const Sweep& sweep) {
+    const LeastInSweep least(sweep);
+    for (Eigen::Index i = 0; i < V.rows(); ++i) {
+        if (!V.row(i).allFinite()) continue;
+        const Eigen::Vector3d p = V.row(i);
+        min_right_ = std::min(min_right_, least(tan_x_ * forward_ - right_, p));
+        min_left_ = std::min(min_left_, least(tan_x_ * forward_ + right_, p));
+        min_top_ = std::min(min_top_, least(tan_y_ * forward_ - up_, p));
+        min_bottom_ = std::min(min_bottom_, least(tan_y_ * forward_ + up_, p));
+        nearest_ = std::min(nearest_, least(forward_, p));
+        farthest_ = std::max(farthest_, -least(-forward_, p));
     }
 }
 

@@ -16,6 +16,13 @@ struct FramingOptions {
     double margin = 0.06;        ///< free border on each side, as a fraction of the half picture
 };
 
+/// A turn about an axis, from one angle to another (degrees, counter-clockwise seen against the axis).
+struct Sweep {
+    Eigen::Vector3d point{0.0, 0.0, 0.0};  ///< on the axis
+    Eigen::Vector3d axis{0.0, 0.0, 1.0};   ///< any length > 0
+    double from = 0.0, to = 360.0;         ///< either may be the larger
+};
+
 /// The tightest pinhole camera of a given direction that has all points within the picture less the margin.
 ///
 /// Each point bounds the camera's place by four planes through the picture's sides, so the answer is exact
@@ -28,6 +35,9 @@ public:
 
     /// Takes in the vertices of a frame (#V x 3); rows that are not finite are left out.
     void add(const Points& V);
+
+    /// Takes in all that the vertices pass while they turn: exact, at angles between frames, too.
+    void add(const Points& V, const Sweep& sweep);
 
     /// @throws Error if no finite point was added
     Camera camera() const;

@@ -4,34 +4,16 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
-#include <fstream>
 
 #include "morph/mesh/errors.h"
+#include "morph/mesh/write_file.h"
 
 namespace automorph {
 
 namespace fs = std::filesystem;
 
 void write_text_file(const fs::path& file, const std::string& text) {
-    fs::path aside = file;
-    aside += fmt::format(".{}.part", ::getpid());
-    errno = 0;
-    std::ofstream stream(aside, std::ios::binary);
-    stream << text;
-    stream.close();
-    std::error_code error;
-    if (!stream) {
-        const std::string reason = errno != 0 ? std::strerror(errno) : "unknown reason";
-        fs::remove(aside, error);
-        throw IoError(fmt::format("{}: cannot be written: {}", file.string(), reason));
-    }
-    fs::rename(aside, file, error);
-    if (error) {
-        std::error_code ignored;
-        fs::remove(aside, ignored);
-        throw IoError(fmt::format("{}: cannot be written: {}", file.string(), error.message()));
-    }
+    write_file(file, text);
 }
 
 void make_folder(const fs::path& folder) {

@@ -1,27 +1,19 @@
 #include "render/image/image_file.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <memory>
-#include <system_error>
 
 #include "morph/mesh/errors.h"
+#include "morph/mesh/write_file.h"
 
 namespace automorph::render {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A name beside `file` that no other writer takes, with the same extension, by which OpenImageIO goes.
-fs::path name_aside(const fs::path& file) {
-    static std::atomic<unsigned> counter{0};
-    return file.parent_path() /
-           fmt::format(".{}.{}-{}{}", file.stem().string(), getpid(), counter++, file.extension().string());
-}
 
 OIIO::ImageSpec make_spec(const fs::path& file, const Image& image, OIIO::TypeDesc type,
                           const Metadata& metadata) {
@@ -38,21 +30,20 @@ OIIO::ImageSpec make_spec(const fs::path& file, const Image& image, OIIO::TypeDe
     return spec;
 }
 
-// Writes aside, then renames: a reader sees the old file or the new one.
-void write(const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
-    const fs::path aside = name_aside(file);
+// Encodes in memory first: OpenImageIO does not notice every failure of a disk.
+void write(const fs::path& file, OIIO::ImageSpec spec, OIIO::TypeDesc type, const void* pixels) {
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    void* proxy = &memory;
+    spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
     const auto fail = [&](const std::string& why) {
-        std::error_code ignored;
-        fs::remove(aside, ignored);
         throw IoError(fmt::format("{}: cannot write the picture: {}", file.string(), why));
     };
-    const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(aside.string());
+    const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(file.string());
     if (!out) fail(OIIO::geterror());
-    if (!out->open(aside.string(), spec) || !out->write_image(type, pixels) || !out->close())
+    if (!out->open(file.string(), spec) || !out->write_image(type, pixels) || !out->close())
         fail(out->geterror());
-    std::error_code error;
-    fs::rename(aside, file, error);
-    if (error) fail(error.message());
+    write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 // Which channels of the file are the picture's: R, G, B by name, else the first one or three.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <map>
 
 #include "render/figure/names.h"
 #include "render/program/command_tree.h"
@@ -14,6 +13,7 @@
 #include "render/program/help_topics.h"
 #include "render/program/man_page.h"
 #include "render/program/version.h"
+#include "render/program/option_groups.h"
 
 namespace automorph::program {
 namespace {
@@ -29,6 +29,8 @@ constexpr const char* kExamples = R"(Examples:
       writes m_000.ply ... m_004.ply, from the first mesh to the second
   automorph morph a.obj b.obj --correspondence c.csv --report r.json
       writes where each vertex of a.obj goes on b.obj, and what was found and used
+  automorph turntable head.ply --out turn.mp4
+      a video of the mesh turning; with a second mesh, of the morph
   automorph shape star star.ply --arms 6
   automorph shape head face.ply --preset asian --crop face --triangles 20000
   automorph info scan.stl
@@ -51,40 +53,9 @@ constexpr const char* kFigureExamples = R"(Examples:
 
 constexpr std::array kUpAxes{Named<UpAxis>{"z", UpAxis::Z}, Named<UpAxis>{"y", UpAxis::Y}};
 
-template <class E, std::size_t N>
-std::map<std::string, E> choices(const std::array<Named<E>, N>& names) {
-    std::map<std::string, E> map;
-    for (const Named<E>& each : names) map[each.name] = each.value;
-    return map;
-}
-
-/// "none|registration" instead of CLI11's list of numbers.
-template <class E, std::size_t N>
-std::string type_name(const std::array<Named<E>, N>& names) {
-    std::string text;
-    for (const Named<E>& each : names) text += (text.empty() ? "" : "|") + std::string(each.name);
-    return text;
-}
-
-template <class E, std::size_t N>
-void add_choice(CLI::App& command, const std::string& flag, E& value, const std::array<Named<E>, N>& names,
-                const std::string& meaning) {
-    const std::string fallback = name_of(names, value);
-    command
-        .add_option_function<std::string>(
-            flag,
-            [&value, flag, map = choices(names), allowed = type_name(names)](const std::string& text) {
-                const auto found = map.find(text);
-                if (found == map.end()) {
-                    throw CLI::ValidationError(flag,
-                                               fmt::format("found '{}', allowed are {}", text, allowed));
-                }
-                value = found->second;
-            },
-            meaning)
-        ->type_name(type_name(names))
-        ->default_str(fallback);
-}
+constexpr std::array kLogLevels{
+    Named<LogLevel>{"error", LogLevel::Error}, Named<LogLevel>{"warning", LogLevel::Warning},
+    Named<LogLevel>{"info", LogLevel::Info}, Named<LogLevel>{"debug", LogLevel::Debug}};
 
 void add_figure(CLI::App& app, FigureArguments& arguments) {
     CLI::App* command = app.add_subcommand("figure", "Makes the figures that YAML configs describe");
@@ -125,18 +96,7 @@ void add_morph(CLI::App& app, MorphArguments& arguments) {
         ->capture_default_str();
     command->add_flag("--ping-pong", arguments.ping_pong, "And back again, in a .glb");
     add_choice(*command, "--up", arguments.up, kUpAxes, "Which axis of the meshes points up, for a .glb");
-    add_choice(*command, "--alignment", arguments.options.alignment, kAlignments,
-               "How the maps are brought together");
-    add_choice(*command, "--interpolation", arguments.interpolation, kInterpolations, "How vertices move");
-    add_choice(*command, "--openings", arguments.options.openings, kOpenings,
-               "Openings other than the border (eyes, mouth)");
-    add_choice(*command, "--domain", arguments.options.domain, kDomains,
-               "What both are mapped onto: auto is the sphere for closed meshes; for open ones the disk, or "
-               "the sphere "
-               "where the disk squeezes; cut makes two disks of closed ones");
-    command->add_flag_callback(
-        "--no-lift", [&arguments] { arguments.options.lift = false; },
-        "Flat facets instead of curved placement");
+    add_morph_options(*command, arguments.options, arguments.interpolation);
     command->add_option("--seed", arguments.options.seed, "Of the registration")
         ->type_name("N")
         ->capture_default_str();
@@ -288,6 +248,19 @@ int refuse(const CLI::App& app, const CLI::ParseError& error) {
 
 }  // namespace
 
+void add_morph_options(CLI::App& command, MorphOptions& options, Interpolation& interpolation) {
+    add_choice(command, "--alignment", options.alignment, kAlignments, "How the maps are brought together");
+    add_choice(command, "--interpolation", interpolation, kInterpolations, "How vertices move");
+    add_choice(command, "--openings", options.openings, kOpenings,
+               "Openings other than the border (eyes, mouth)");
+    add_choice(command, "--domain", options.domain, kDomains,
+               "What both are mapped onto: auto is the sphere for closed meshes; for open ones the disk, or "
+               "the sphere "
+               "where the disk squeezes; cut makes two disks of closed ones");
+    command.add_flag_callback(
+        "--no-lift", [&options] { options.lift = false; }, "Flat facets instead of curved placement");
+}
+
 std::variant<Arguments, int> read_arguments(int count, const char* const* values) {
     CLI::App app(kAbout, "automorph");
     app.set_version_flag("--version", version_text());
@@ -296,13 +269,15 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
     app.fallthrough();
 
     Arguments arguments;
-    app.add_flag("--quiet,-q", arguments.quiet, "Print errors only");
+    CLI::Option* quiet = app.add_flag("--quiet,-q", arguments.quiet, "Print errors only");
+    add_choice(app, "--log-level", arguments.log_level, kLogLevels, "What is told")->excludes(quiet);
     app.add_option("--threads", arguments.threads, "How many threads; results do not depend on it [all]")
         ->type_name("N")
         ->check(CLI::Range(1, 4096));
 
     FigureArguments figure;
     MorphArguments morph;
+    TurntableArguments turning;
     EllipsoidArguments ellipsoid;
     StarArguments star;
     HeadArguments head;
@@ -311,6 +286,7 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
     DiffArguments diff;
     add_figure(app, figure);
     add_morph(app, morph);
+    add_turntable(app, turning);
     add_shape(app, ellipsoid, star, head);
     CLI::App* info_command =
         app.add_subcommand("info", "Tells what a mesh file holds and whether it can be morphed");
@@ -336,9 +312,12 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
     }
     if (app.got_subcommand("help")) return print_help(app, texts);
     if (app.got_subcommand("completion")) return print_completion(app, texts);
+    if (arguments.quiet) arguments.log_level = LogLevel::Error;
+    arguments.quiet = arguments.log_level < LogLevel::Info;
     CLI::App* shape_command = app.get_subcommand("shape");
     if (app.got_subcommand("figure")) arguments.command = figure;
     if (app.got_subcommand("morph")) arguments.command = morph;
+    if (app.got_subcommand("turntable")) arguments.command = turning;
     if (shape_command->got_subcommand("ellipsoid")) arguments.command = ellipsoid;
     if (shape_command->got_subcommand("star")) arguments.command = star;
     if (shape_command->got_subcommand("head")) arguments.command = head;

@@ -13,8 +13,11 @@
 #include "morph/shapes/head.h"
 #include "morph/shapes/shapes.h"
 #include "render/program/diff_arguments.h"
+#include "render/program/log.h"
+#include "render/turntable/timeline.h"
 
-/// What the command line asks for, one struct per subcommand. Its reading is CLI11's only door.
+/// What the command line asks for, one struct per subcommand. arguments.cpp and option_groups.h
+/// are CLI11's only doors.
 namespace automorph::program {
 
 struct FigureArguments {
@@ -34,6 +37,24 @@ struct MorphArguments {
     std::filesystem::path correspondence;  ///< CSV; empty: not written
     std::filesystem::path report;          ///< JSON; empty: not written
     MorphOptions options;
+    Interpolation interpolation = Interpolation::Slerp;
+};
+
+struct TurntableArguments {
+    std::filesystem::path source;
+    std::filesystem::path target;                  ///< empty: the source alone turns
+    std::filesystem::path out = "turntable_.png";  ///< pattern of the numbered frames, or a video
+    turntable::TimelineOptions timeline;
+    std::string frame_range;          ///< "A-B", "A-", "A"; empty: all
+    std::string up = "z", view;       ///< axes, as parse_axis() reads them; no view: that of the up axis
+    double elevation = 14, fov = 20;  ///< degrees
+    double margin = 0.06;             ///< free on each side, fraction of half the picture
+    bool flat = false;                ///< facets instead of smooth normals
+    int width = 640, height = 640, spp = 64;
+    std::uint64_t seed = 1;  ///< of the noise and of the registration
+    double fps = 24;         ///< of a video
+    bool redo = false;       ///< frames that are finished, too
+    MorphOptions morph;
     Interpolation interpolation = Interpolation::Slerp;
 };
 
@@ -67,13 +88,15 @@ struct ConfigArguments {
     std::vector<std::filesystem::path> checked;  ///< configs to check
 };
 
-using Command = std::variant<FigureArguments, MorphArguments, EllipsoidArguments, StarArguments,
-                             HeadArguments, InfoArguments, ConfigArguments, DiffArguments>;
+using Command =
+    std::variant<FigureArguments, MorphArguments, TurntableArguments, EllipsoidArguments, StarArguments,
+                 HeadArguments, InfoArguments, ConfigArguments, DiffArguments>;
 
 struct Arguments {
     Command command;
-    bool quiet = false;
-    int threads = 0;  ///< 0: all
+    LogLevel log_level = LogLevel::Info;
+    bool quiet = false;  ///< the level is below Info
+    int threads = 0;     ///< 0: all
 };
 
 /// Either what to do, or the status to exit with at once (help, version, completion and errors have then been

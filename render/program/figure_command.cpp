@@ -64,6 +64,9 @@ void run(const FigureArguments& arguments, const Surroundings& surroundings) {
         options.progress = surroundings.progress;
         const Figure figure = render_figure(job.config, options);
         write_figure(job.config, figure, job.folder);
+        for (const Report& report : figure.morphs) {
+            for (const std::string& doubt : doubts(report)) surroundings.warn(doubt);
+        }
         if (surroundings.quiet) continue;
         print_summary(figure);
         fmt::print("\n{}: meshes {:.1f} s, morphs {:.1f} s, pictures {:.1f} s\n",

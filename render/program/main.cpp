@@ -6,16 +6,19 @@
 #include <functional>
 #include <new>
 #include <optional>
+#include <string>
 #include <type_traits>
 
 #include "morph/mesh/errors.h"
 #include "render/program/arguments.h"
 #include "render/program/commands.h"
+#include "render/program/interrupt.h"
 #include "render/program/terminal_progress.h"
 
 int main(int count, char** values) {
     using namespace automorph;
     program::TerminalProgress terminal;
+    program::end_on_signals();
     try {
         const auto read = program::read_arguments(count, values);
         if (const int* status = std::get_if<int>(&read)) return *status;
@@ -28,6 +31,12 @@ int main(int count, char** values) {
         }
         program::Surroundings surroundings{arguments.quiet, arguments.threads, {}};
         if (!arguments.quiet) surroundings.progress = std::ref(terminal);
+        surroundings.log = [&](program::LogLevel level, const std::string& line) {
+            if (level > arguments.log_level) return;
+            terminal.clear();
+            fmt::print(stderr, "automorph: {}{}\n", level == program::LogLevel::Warning ? "warning: " : "",
+                       line);
+        };
         return std::visit(
             [&](const auto& command) {
                 if constexpr (std::is_void_v<decltype(program::run(command, surroundings))>) {

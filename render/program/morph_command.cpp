@@ -57,6 +57,8 @@ void run(const MorphArguments& arguments, const Surroundings& surroundings) {
     if (!surroundings.quiet)
         fmt::print("{}{}", meshes_summary(result.report()), morph_summary(result.report()));
 
+    for (const std::string& doubt : doubts(result.report())) surroundings.warn(doubt);
+
     std::string written;
     if (!arguments.out.empty()) written += write_morph(arguments, result, surroundings.progress);
     if (!arguments.correspondence.empty()) {

@@ -82,6 +82,16 @@ std::string meshes_summary(const Report& report) {
     return text;
 }
 
+std::vector<std::string> doubts(const Report& report) {
+    std::vector<std::string> sentences;
+    const RegistrationReport& registration = report.registration;
+    if (registration.used && !registration.confident)
+        sentences.emplace_back("the registration is unsure: another pose fits nearly as well");
+    if (registration.used && !registration.converged)
+        sentences.emplace_back("the registration has not converged");
+    return sentences;
+}
+
 std::string morph_summary(const Report& report) {
     std::string text;
     if (!report.domain.empty() || report.registration.used) add_registration(text, report.registration);

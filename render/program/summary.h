@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "morph/report.h"
 
@@ -12,5 +13,8 @@ std::string meshes_summary(const Report& report);
 /// What a morph says about itself: the registration and whether it is sure, the maps, the overlay, notes,
 /// times.
 std::string morph_summary(const Report& report);
+
+/// What makes a morph doubtful, one sentence each; usually none.
+std::vector<std::string> doubts(const Report& report);
 
 }  // namespace automorph::program

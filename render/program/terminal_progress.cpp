@@ -1,6 +1,7 @@
 #include "render/program/terminal_progress.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,40 +9,77 @@
 #include <cstdio>
 
 namespace automorph::program {
+namespace {
 
-std::string progress_bar(const std::string& task, double fraction, double seconds) {
-    constexpr int kWidth = 20;
-    const double clamped = std::clamp(fraction, 0.0, 1.0);
-    const int full = static_cast<int>(std::floor(clamped * kWidth));
-    std::string text = fmt::format("[{}{}] {:3.0f} %  {}", std::string(static_cast<std::size_t>(full), '#'),
-                                   std::string(static_cast<std::size_t>(kWidth - full), '.'),
-                                   std::floor(100 * clamped), task);
+constexpr std::chrono::milliseconds kRedraw(100);  // of the bar
+constexpr std::chrono::seconds kLines(5);          // between the lines of a log
+
+/// ", detail, 12 s left"
+std::string remarks(double fraction, double seconds, const std::string& detail) {
+    std::string text = detail.empty() ? "" : ", " + detail;
     // Extrapolating from the first instants would only frighten.
     constexpr double kKnownAfter = 0.02;
-    if (clamped > kKnownAfter && clamped < 1 && seconds > 1) {
-        text += fmt::format(", {:.0f} s left", std::ceil(seconds * (1 - clamped) / clamped));
-    }
+    if (fraction > kKnownAfter && fraction < 1 && seconds > 1)
+        text += fmt::format(", {} left", duration_text(std::ceil(seconds * (1 - fraction) / fraction)));
     return text;
 }
 
-void TerminalProgress::operator()(const std::string& task, double fraction) {
+double percent(double fraction) {
+    return std::floor(100 * std::clamp(fraction, 0.0, 1.0));
+}
+
+/// Cut to the terminal's width: a bar that wraps cannot be redrawn.
+std::string fitted(std::string line) {
+    winsize size{};
+    if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 && line.size() >= size.ws_col)
+        line.resize(size.ws_col - 1u);
+    return line;
+}
+
+}  // namespace
+
+std::string duration_text(double seconds) {
+    const auto whole = static_cast<long long>(std::llround(std::max(0.0, seconds)));
+    if (whole < 60) return fmt::format("{} s", whole);
+    if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+    return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+std::string progress_bar(const std::string& task, double fraction, double seconds,
+                         const std::string& detail) {
+    constexpr int kWidth = 20;
+    const int full = static_cast<int>(std::floor(std::clamp(fraction, 0.0, 1.0) * kWidth));
+    return fmt::format("[{}{}] {:3.0f} %  {}{}", std::string(static_cast<std::size_t>(full), '#'),
+                       std::string(static_cast<std::size_t>(kWidth - full), '.'), percent(fraction), task,
+                       remarks(fraction, seconds, detail));
+}
+
+std::string progress_line(const std::string& task, double fraction, double seconds,
+                          const std::string& detail) {
+    return fmt::format("{}: {:.0f} %{}", task, percent(fraction), remarks(fraction, seconds, detail));
+}
+
+void TerminalProgress::operator()(const std::string& task, double fraction, const std::string& detail) {
     const Clock::time_point now = Clock::now();
+    const bool is_terminal = ::isatty(STDERR_FILENO) != 0;
     if (task != task_) {
         task_ = task;
         began_ = now;
-        drawn_ = {};
+        shown_ = is_terminal ? Clock::time_point{} : now;
     }
     const double seconds = std::chrono::duration<double>(now - began_).count();
-    const bool is_terminal = ::isatty(STDERR_FILENO) != 0;
     if (fraction >= 1) {
         clear();
         fmt::print(stderr, "{}: {:.1f} s\n", task, seconds);
         task_.clear();
-    } else if (is_terminal && now - drawn_ > std::chrono::milliseconds(100)) {
-        fmt::print(stderr, "\r{}\x1b[K", progress_bar(task, fraction, seconds));
+    } else if (is_terminal && now - shown_ > kRedraw) {
+        fmt::print(stderr, "\r{}\x1b[K", fitted(progress_bar(task, fraction, seconds, detail)));
         std::fflush(stderr);
         on_screen_ = true;
-        drawn_ = now;
+        shown_ = now;
+    } else if (!is_terminal && now - shown_ > kLines) {
+        fmt::print(stderr, "{}\n", progress_line(task, fraction, seconds, detail));
+        shown_ = now;
     }
 }
 

@@ -5,11 +5,12 @@
 
 namespace automorph::program {
 
-/// Shows progress on stderr: a bar that is redrawn on a terminal, one line per finished task elsewhere.
+/// Shows progress on stderr: a bar that is redrawn on a terminal; elsewhere a line per finished task, and one
+/// every few seconds of a long one.
 class TerminalProgress {
 public:
     /// For a Progress; see there.
-    void operator()(const std::string& task, double fraction);
+    void operator()(const std::string& task, double fraction, const std::string& detail = {});
 
     /// Leaves the terminal with an empty line to write on; for use before other output.
     void clear();
@@ -18,11 +19,19 @@ private:
     using Clock = std::chrono::steady_clock;
 
     std::string task_;
-    Clock::time_point began_, drawn_;
+    Clock::time_point began_, shown_;
     bool on_screen_ = false;
 };
 
-/// "[######..............]  30 %  task, 12 s left"; without the time while it cannot be told.
-std::string progress_bar(const std::string& task, double fraction, double seconds);
+/// "[######..............]  30 %  task, detail, 12 s left"; without the time while it cannot be told.
+std::string progress_bar(const std::string& task, double fraction, double seconds,
+                         const std::string& detail = {});
+
+/// "task: 30 %, detail, 12 s left", for logs.
+std::string progress_line(const std::string& task, double fraction, double seconds,
+                          const std::string& detail = {});
+
+/// "48 s", "12 min 5 s", "3 h 10 min".
+std::string duration_text(double seconds);
 
 }  // namespace automorph::program

@@ -1,5 +1,6 @@
 #include "render/camera/framing.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -131,4 +132,58 @@ TEST_CASE("framing refuses nothing to frame and options out of range") {
         options.direction = options.up;
     }
     CHECK_THROWS_AS(Framing(options), ConfigError);
+}
+
+namespace {
+
+Points swept(const Points& V, const Sweep& sweep, int steps) {
+    Points all(V.rows() * (steps + 1), 3);
+    for (int i = 0; i <= steps; ++i) {
+        const double degrees = sweep.from + (sweep.to - sweep.from) * i / steps;
+        const Eigen::Matrix3d R =
+            Eigen::AngleAxisd(degrees * std::acos(-1.0) / 180, sweep.axis.normalized()).toRotationMatrix();
+        all.middleRows(i * V.rows(), V.rows()) =
+            ((V.rowwise() - sweep.point.transpose()) * R.transpose()).rowwise() + sweep.point.transpose();
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("the camera of a turn is that of all places passed, at angles between frames, too") {
+    std::mt19937 random(2);
+    std::normal_distribution<double> normal;
+    constexpr int kSteps = 2000;
+    for (int trial = 0; trial < 30; ++trial) {
+        const Points V = random_cloud(random, 1.0).topRows(20);
+        Sweep sweep;
+        sweep.point = {normal(random), normal(random), normal(random)};
+        sweep.axis = {normal(random), normal(random), normal(random)};
+        sweep.from = 200 * normal(random);
+        sweep.to = sweep.from + (trial % 3 == 0 ? 360.0 : 120 * normal(random));
+        FramingOptions options;
+        options.direction = {normal(random), normal(random), normal(random)};
+        options.aspect = static_cast<double>(kWidth) / kHeight;
+        Framing exact(options), dense(options);
+        exact.add(V, sweep);
+        dense.add(swept(V, sweep, kSteps));
+        const Camera camera = exact.camera(), sampled = dense.camera();
+        const double size = (camera.position - camera.target).norm();
+        // Samples miss the extremes by the square of half a step.
+        CHECK((camera.position - sampled.position).norm() < 1e-4 * size);
+        CHECK(borders(camera, {swept(V, sweep, kSteps)}).minCoeff() > options.margin - 1e-9);
+    }
+}
+
+TEST_CASE("a turn by nothing is no turn, and its sense does not matter to the camera") {
+    std::mt19937 random(3);
+    const Points V = random_cloud(random, 1.0);
+    Framing still(FramingOptions{}), turned(FramingOptions{}), there(FramingOptions{}),
+        back(FramingOptions{});
+    still.add(V);
+    turned.add(V, {{1, 2, 3}, {0, 0, 1}, 0, 0});
+    CHECK((still.camera().position - turned.camera().position).norm() < 1e-9);
+    there.add(V, {{1, 2, 3}, {0, 0, 1}, -30, 70});
+    back.add(V, {{1, 2, 3}, {0, 0, 1}, 70, -30});
+    CHECK((there.camera().position - back.camera().position).norm() < 1e-9);
 }

@@ -11,6 +11,7 @@
 #include "morph/mesh/errors.h"
 #include "morph/mesh/io.h"
 #include "render/program/arguments.h"
+#include "render/program/axis.h"
 #include "render/program/commands.h"
 #include "render/program/frame_files.h"
 #include "render/program/help_topics.h"
@@ -251,6 +252,41 @@ TEST_CASE("the progress bar grows with the fraction and stays within its bracket
     CHECK(progress_bar("x", 1, 10) == "[####################] 100 %  x");
     CHECK(progress_bar("x", 7, 10) == progress_bar("x", 1, 10));
     CHECK(progress_bar("x", -7, 10) == progress_bar("x", 0, 10));
+    CHECK(progress_bar("x", 0.5, 10, "frame 3") == "[##########..........]  50 %  x, frame 3, 10 s left");
+    CHECK(progress_line("x", 0.5, 10, "frame 3") == "x: 50 %, frame 3, 10 s left");
+    CHECK(progress_line("x", 0.01, 10) == "x: 1 %");
+    CHECK(duration_text(59.4) == "59 s");
+    CHECK(duration_text(60) == "1 min 0 s");
+    CHECK(duration_text(3599) == "59 min 59 s");
+    CHECK(duration_text(7261) == "2 h 1 min");
+}
+
+TEST_CASE("progress is told to listeners with and without a taste for details") {
+    std::string told;
+    Progress plain = [&](const std::string& task, double fraction) {
+        told = task + " " + std::to_string(fraction > 0.4);
+    };
+    plain("a", 0.5, "unheard");
+    CHECK(told == "a 1");
+    Progress detailed = [&](const std::string& task, double, const std::string& detail) {
+        told = task + " " + detail;
+    };
+    detailed("b", 0.5, "frame 1");
+    CHECK(told == "b frame 1");
+    CHECK_FALSE(Progress());
+    CHECK(plain);
+}
+
+TEST_CASE("axes are letters or numbers") {
+    CHECK(parse_axis("x") == Eigen::Vector3d(1, 0, 0));
+    CHECK(parse_axis("-z") == Eigen::Vector3d(0, 0, -1));
+    CHECK((parse_axis("0,3,4") - Eigen::Vector3d(0, 0.6, 0.8)).norm() < 1e-15);
+    CHECK((parse_axis("-1e1, 0 ,0") - Eigen::Vector3d(-1, 0, 0)).norm() < 1e-15);
+    for (const char* wrong : {"", "-", "w", "xy", "0,0,0", "1,2", "1,2,3,4", "1;2;3", "nan,0,0", "+x"})
+        CHECK_THROWS_AS(parse_axis(wrong), ConfigError);
+    // Seen from the front, whichever of both conventions the file follows.
+    CHECK(usual_view(parse_axis("z")) == Eigen::Vector3d(0, 1, 0));
+    CHECK(usual_view(parse_axis("y")) == Eigen::Vector3d(0, 0, -1));
 }
 
 TEST_CASE("the command line arrives in full") {
@@ -316,6 +352,44 @@ TEST_CASE("the command line arrives in full") {
     CHECK(figure.spp == 3);
     CHECK(figure.scale == 0.5);
 
+    const auto turning = command_of<TurntableArguments>(
+        {"turntable", "a.off",         "b.off",  "--out",         "t.mp4",      "--frames",
+         "12",        "--revolutions", "-1.5",   "--start",       "30",         "--turn-easing",
+         "smooth",    "--easing",      "linear", "--loop",        "once",       "--hold",
+         "0.2",       "--up",          "y",      "--view",        "-x",         "--elevation",
+         "30",        "--width",       "320",    "--height",      "200",        "--spp",
+         "7",         "--seed",        "5",      "--frame-range", "2-4",        "--fps",
+         "30",        "--redo",        "--flat", "--alignment",   "features",   "--interpolation",
+         "linear",    "--domain",      "sphere", "--no-lift",     "--openings", "fill"});
+    CHECK(turning.source == fs::path("a.off"));
+    CHECK(turning.target == fs::path("b.off"));
+    CHECK(turning.out == fs::path("t.mp4"));
+    CHECK(turning.timeline.frames == 12);
+    CHECK(turning.timeline.revolutions == -1.5);
+    CHECK(turning.timeline.start == 30);
+    CHECK(turning.timeline.turn_easing == turntable::Easing::Smooth);
+    CHECK(turning.timeline.morph_easing == turntable::Easing::Linear);
+    CHECK(turning.timeline.loop == turntable::Loop::Once);
+    CHECK(turning.timeline.hold == 0.2);
+    CHECK_FALSE(turning.timeline.alpha);
+    CHECK(turning.up == "y");
+    CHECK(turning.view == "-x");
+    CHECK(turning.elevation == 30);
+    CHECK(turning.width == 320);
+    CHECK(turning.height == 200);
+    CHECK(turning.spp == 7);
+    CHECK(turning.seed == 5);
+    CHECK(turning.frame_range == "2-4");
+    CHECK(turning.fps == 30);
+    CHECK(turning.redo);
+    CHECK(turning.flat);
+    CHECK(turning.morph.alignment == Alignment::Features);
+    CHECK(turning.interpolation == Interpolation::Linear);
+    CHECK(turning.morph.domain == Domain::Sphere);
+    CHECK_FALSE(turning.morph.lift);
+    CHECK(turning.morph.openings == Openings::Fill);
+    CHECK(command_of<TurntableArguments>({"turntable", "a", "b", "--alpha", "0.5"}).timeline.alpha == 0.5);
+
     const auto star =
         command_of<StarArguments>({"shape", "star", "s.ply", "--arms", "7", "--triangles", "100"});
     CHECK(star.parameters.arms == 7);
@@ -336,6 +410,13 @@ TEST_CASE("the command line arrives in full") {
     const auto all = std::get<Arguments>(read({"morph", "a", "b", "--threads", "2", "-q"}));
     CHECK(all.threads == 2);
     CHECK(all.quiet);
+    CHECK(all.log_level == LogLevel::Error);
+    const auto level = [&](const char* name) {
+        return std::get<Arguments>(read({"info", "a", "--log-level", name}));
+    };
+    CHECK(level("warning").quiet);
+    CHECK(level("debug").log_level == LogLevel::Debug);
+    CHECK_FALSE(level("info").quiet);
 }
 
 TEST_CASE("a wrong command line ends with status 1, help and version with 0") {
@@ -349,6 +430,13 @@ TEST_CASE("a wrong command line ends with status 1, help and version with 0") {
     CHECK(status_of({"morph", "a", "b", "--out", "m_.ply", "--seconds", "3"}) == 1);
     CHECK(status_of({"morph", "a", "b", "--ping-pong"}) == 1);
     CHECK(status_of({"figure"}) == 1);
+    CHECK(status_of({"turntable"}) == 1);
+    CHECK(status_of({"turntable", "a", "--loop", "once"}) == 1);
+    CHECK(status_of({"turntable", "a", "b", "--alpha", "0.5", "--hold", "0.1"}) == 1);
+    CHECK(status_of({"turntable", "a", "--elevation", "90"}) == 1);
+    CHECK(status_of({"info", "a", "--log-level", "loud"}) == 1);
+    CHECK(status_of({"info", "a", "--log-level", "info", "-q"}) == 1);
+    CHECK(status_of({"turntable", "--help"}) == 0);
     CHECK(status_of({"figure", "x.yaml", "--scale", "0"}) == 1);
     CHECK(status_of({"shape", "star"}) == 1);
     CHECK(status_of({"shape", "star", "x.ply", "--arms", "2"}) == 1);

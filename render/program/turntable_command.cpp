@@ -1,0 +1,313 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "morph/mesh/admit.h"
+#include "morph/mesh/errors.h"
+#include "morph/mesh/mend.h"
+#include "morph/mesh/triangulate.h"
+#include "morph/mesh/write_file.h"
+#include "render/figure/mesh_source.h"
+#include "render/figure/names.h"
+#include "render/figure/stopwatch.h"
+#include "render/figure/text_file.h"
+#include "render/image/content_hash.h"
+#include "render/program/axis.h"
+#include "render/program/commands.h"
+#include "render/program/frame_files.h"
+#include "render/program/interrupt.h"
+#include "render/program/summary.h"
+#include "render/turntable/encode.h"
+#include "render/turntable/sequence.h"
+
+namespace automorph::program {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Where everything goes.
+struct Targets {
+    fs::path pattern;  ///< of the frames
+    fs::path video;    ///< empty: none
+};
+
+Targets targets_of(const fs::path& out) {
+    const std::string extension = out.extension().string();
+    if (extension == ".png" || extension == ".exr") return {out, {}};
+    if (extension == ".mp4" || extension == ".webm") {
+        const std::string stem = out.stem().string();
+        return {out.parent_path() / (stem + "_frames") / (stem + "_.png"), out};
+    }
+    throw IoError(fmt::format("{}: a turntable is written as .png, .exr, .mp4 or .webm", out.string()));
+}
+
+std::string file_content(const fs::path& file) {
+    errno = 0;
+    std::ifstream stream(file, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    if (stream.bad() || !stream.is_open() || fs::is_directory(file)) {
+        throw IoError(fmt::format("{}: cannot be read: {}", file.string(),
+                                  errno != 0 ? std::strerror(errno) : "it is no file"));
+    }
+    return bytes;
+}
+
+/// All that every frame depends on.
+Json common_inputs(const TurntableArguments& arguments) {
+    const auto hash = [](const fs::path& mesh) { return render::content_hash(file_content(mesh)); };
+    Json json;
+    json["version"] = AUTOMORPH_VERSION;
+    json["mesh"] = hash(arguments.source);
+    if (!arguments.target.empty()) {
+        json["target"] = hash(arguments.target);
+        json["alignment"] = name_of(kAlignments, arguments.morph.alignment);
+        json["interpolation"] = name_of(kInterpolations, arguments.interpolation);
+        json["openings"] = name_of(kOpenings, arguments.morph.openings);
+        json["domain"] = name_of(kDomains, arguments.morph.domain);
+        json["lift"] = arguments.morph.lift;
+    }
+    const turntable::TimelineOptions& timeline = arguments.timeline;
+    json["frames"] = timeline.frames;
+    json["start"] = timeline.start;
+    json["revolutions"] = timeline.revolutions;
+    json["turn_easing"] = timeline.turn_easing == turntable::Easing::Linear ? "linear" : "smooth";
+    if (timeline.alpha) {
+        json["alpha"] = *timeline.alpha;
+    } else {
+        json["loop"] = timeline.loop == turntable::Loop::Once ? "once" : "ping-pong";
+        json["easing"] = timeline.morph_easing == turntable::Easing::Linear ? "linear" : "smooth";
+        json["hold"] = timeline.hold;
+    }
+    const Eigen::Vector3d up = parse_axis(arguments.up);
+    const Eigen::Vector3d view = arguments.view.empty() ? usual_view(up) : parse_axis(arguments.view);
+    json["up"] = {up.x(), up.y(), up.z()};
+    json["view"] = {view.x(), view.y(), view.z()};
+    json["elevation"] = arguments.elevation;
+    json["fov"] = arguments.fov;
+    json["margin"] = arguments.margin;
+    json["normals"] = arguments.flat ? "flat" : "smooth";
+    json["width"] = arguments.width;
+    json["height"] = arguments.height;
+    json["spp"] = arguments.spp;
+    json["seed"] = arguments.seed;
+    return json;
+}
+
+turntable::StageOptions stage_options(const TurntableArguments& arguments, int threads) {
+    turntable::StageOptions options;
+    options.up = parse_axis(arguments.up);
+    options.view = arguments.view.empty() ? usual_view(options.up) : parse_axis(arguments.view);
+    options.elevation = arguments.elevation;
+    options.fov = arguments.fov;
+    options.margin = arguments.margin;
+    options.normals = arguments.flat ? render::Normals::Flat : render::Normals::Smooth;
+    options.width = arguments.width;
+    options.height = arguments.height;
+    options.spp = arguments.spp;
+    options.seed = arguments.seed;
+    options.threads = threads;
+    return options;
+}
+
+/// A mesh alone need not be fit for morphing to be turned: handles, several parts and so on are welcome.
+turntable::Shape rigid_shape(const fs::path& file, const Surroundings& surroundings) {
+    Mesh mesh;
+    const PolygonSoup soup = read_mesh(file);
+    try {
+        mesh = admit(soup, file.string()).mesh;
+    } catch (const InvalidMesh& error) {
+        surroundings.debug(fmt::format("shown as it is: {}", error.what()));
+        TriangulatedSoup triangles = triangulate(soup);
+        Draft draft;
+        draft.V = soup.V;
+        draft.F = std::move(triangles.F);
+        draft.polygon = std::move(triangles.polygon);
+        for (int v = 0; v < soup.V.rows(); ++v) draft.file_vertex.push_back(v);
+        draft.vertex_of_file = draft.file_vertex;
+        merge_coincident_vertices(draft);
+        drop_unused_vertices(draft);
+        if (draft.F.rows() == 0)
+            throw InvalidMesh(fmt::format("{}: there are no triangles to show", file.string()));
+        mesh = {std::move(draft.V), std::move(draft.F)};
+    }
+    if (!surroundings.quiet) {
+        fmt::print("mesh          {}: {} vertices, {} triangles\n", file.string(), mesh.vertex_count(),
+                   mesh.triangle_count());
+    }
+    return {std::move(mesh.F), [V = std::move(mesh.V)](double) { return V; }};
+}
+
+turntable::Shape morphing_shape(const TurntableArguments& arguments, const Surroundings& surroundings) {
+    if (surroundings.progress) surroundings.progress("morph", 0);
+    // Both at one size and one place, as in figures.
+    MeshConfig source, target;
+    source.file = arguments.source;
+    target.file = arguments.target;
+    MorphOptions options = arguments.morph;
+    options.seed = arguments.seed;
+    const auto result = std::make_shared<const Morph>(
+        morph(make_mesh(source, "source"), make_mesh(target, "target"), options));
+    if (surroundings.progress) surroundings.progress("morph", 1);
+    if (!surroundings.quiet)
+        fmt::print("{}{}", meshes_summary(result->report()), morph_summary(result->report()));
+    for (const std::string& doubt : doubts(result->report())) surroundings.warn(doubt);
+    return {result->triangles(), [result, scheme = arguments.interpolation](double alpha) {
+                return result->frame(alpha, scheme);
+            }};
+}
+
+turntable::Sequence sequence_of(const TurntableArguments& arguments, const fs::path& pattern) {
+    turntable::Sequence sequence;
+    const int count = arguments.timeline.frames;
+    std::tie(sequence.first, sequence.last) = turntable::frame_range(arguments.frame_range, count);
+    for (int frame = 0; frame < count; ++frame) sequence.files.push_back(numbered(pattern, frame, count));
+    sequence.inputs = [common = common_inputs(arguments)](int frame) {
+        Json json = common;
+        json["frame"] = frame;
+        return json.dump();
+    };
+    return sequence;
+}
+
+/// What killed runs left of the frames that this run is to make.
+void clean_up(const turntable::Sequence& sequence, const fs::path& video) {
+    std::set<std::string> names;
+    for (int frame = sequence.first; frame <= sequence.last; ++frame)
+        names.insert(sequence.files[static_cast<std::size_t>(frame)].filename().string());
+    remove_leftovers(sequence.files.front().parent_path(),
+                     [&](const std::string& name) { return names.count(name) > 0; });
+    if (video.empty()) return;
+    const std::string own = video.filename().string(), record = own + ".txt";
+    remove_leftovers(video.parent_path(), [&](const std::string& name) { return name == own; });
+    remove_leftovers(sequence.files.front().parent_path(),
+                     [&](const std::string& name) { return name == record; });
+}
+
+void make_missing(const TurntableArguments& arguments, const turntable::Sequence& sequence,
+                  const std::vector<turntable::OpenFrame>& open, const Surroundings& surroundings) {
+    const std::vector<turntable::Moment> moments = turntable::timeline(arguments.timeline);
+    turntable::Shape shape = arguments.target.empty() ? rigid_shape(arguments.source, surroundings)
+                                                      : morphing_shape(arguments, surroundings);
+    const Stopwatch staging;
+    turntable::Stage stage(std::move(shape), moments, stage_options(arguments, surroundings.threads));
+    const render::Camera camera = stage.camera(0);
+    surroundings.debug(fmt::format("stage set in {:.2f} s; the camera is at ({:.4g} {:.4g} {:.4g})",
+                                   staging.seconds(), camera.position.x(), camera.position.y(),
+                                   camera.position.z()));
+    std::uint64_t bad = 0;
+    const Stopwatch watch;
+    turntable::make_frames(
+        stage, moments, sequence, open, surroundings.progress, [&](const turntable::MadeFrame& made) {
+            const turntable::Moment& moment = moments[static_cast<std::size_t>(made.frame)];
+            bad += made.bad_samples;
+            surroundings.debug(fmt::format("frame {}: alpha {:.4f}, {:.2f} degrees, {:.2f} s, {} rays",
+                                           made.frame, moment.alpha, moment.degrees, made.seconds,
+                                           made.rays));
+        });
+    if (bad > 0)
+        surroundings.warn(fmt::format("{} samples were not finite and were left out; please report it", bad));
+    if (!surroundings.quiet) {
+        fmt::print("frames        {} made, {:.2f} s each; {} kept\n", open.size(),
+                   watch.seconds() / static_cast<double>(open.size()),
+                   static_cast<std::size_t>(sequence.last - sequence.first + 1) - open.size());
+    }
+}
+
+/// ffmpeg's pattern of the frames.
+std::string ffmpeg_pattern(const fs::path& pattern, int count) {
+    const auto escaped = [](const std::string& text) {
+        std::string result;
+        for (const char c : text) result += c == '%' ? std::string("%%") : std::string(1, c);
+        return result;
+    };
+    const std::size_t digits =
+        numbered(pattern, 0, count).stem().string().size() - pattern.stem().string().size();
+    const std::string parent = pattern.has_parent_path() ? pattern.parent_path().string() + "/" : "./";
+    return fmt::format("file:{}{}%0{}d{}", escaped(parent), escaped(pattern.stem().string()), digits,
+                       pattern.extension().string());
+}
+
+/// Makes the video unless it is up to date. A text file beside the frames tells what it was made of.
+void make_video(const TurntableArguments& arguments, const Targets& targets, turntable::Sequence sequence,
+                const Surroundings& surroundings) {
+    sequence.first = 0;
+    sequence.last = arguments.timeline.frames - 1;
+    const std::size_t open = turntable::open_frames(sequence).size();
+    if (open > 0) {
+        if (!surroundings.quiet) {
+            fmt::print("{}: made when the other {} of the {} frames are there\n", targets.video.string(),
+                       open, sequence.files.size());
+        }
+        return;
+    }
+    if (!turntable::can_encode()) {
+        throw IoError(
+            fmt::format("{}: not made, since there is no ffmpeg; install it (apt-get install ffmpeg) "
+                        "and run the same command again: the frames are in {}",
+                        targets.video.string(), targets.pattern.parent_path().string()));
+    }
+    const turntable::VideoOptions options{arguments.fps, arguments.timeline.frames};
+    const fs::path record = targets.pattern.parent_path() / (targets.video.filename().string() + ".txt");
+    const auto state = [&] {
+        return fmt::format("{}\n{}\n{}\n", sequence.inputs(0),
+                           turntable::encoder_settings(targets.video, options),
+                           render::content_hash(file_content(targets.video)));
+    };
+    if (!arguments.redo && fs::exists(targets.video) && fs::exists(record) && file_content(record) == state())
+        return;
+    if (surroundings.progress) surroundings.progress("video", 0);
+    turntable::encode_video(targets.video, ffmpeg_pattern(targets.pattern, arguments.timeline.frames),
+                            options);
+    write_text_file(record, state());
+    if (surroundings.progress) surroundings.progress("video", 1);
+}
+
+}  // namespace
+
+void run(const TurntableArguments& arguments, const Surroundings& surroundings) {
+    const Targets targets = targets_of(arguments.out);
+    // What can be refused is refused before the work.
+    turntable::timeline(arguments.timeline);
+    turntable::check(stage_options(arguments, surroundings.threads));
+    const turntable::Sequence sequence = sequence_of(arguments, targets.pattern);
+    make_folder(targets.pattern.parent_path());
+    if (!targets.video.empty() && !turntable::can_encode())
+        surroundings.warn("there is no ffmpeg: frames will be made, but no video");
+    clean_up(sequence, targets.video);
+    set_stop_advice("; the same command again goes on, finished frames are kept");
+
+    std::vector<turntable::OpenFrame> open;
+    if (arguments.redo) {
+        for (int frame = sequence.first; frame <= sequence.last; ++frame)
+            open.push_back({frame, turntable::FrameState::Outdated});
+    } else {
+        open = turntable::open_frames(sequence);
+        for (const turntable::OpenFrame& each : open)
+            surroundings.debug(fmt::format("frame {}: {}", each.frame, turntable::words(each.state)));
+    }
+    if (!open.empty()) {
+        make_missing(arguments, sequence, open, surroundings);
+    } else if (!surroundings.quiet) {
+        fmt::print("frames        all {} are finished and kept\n", sequence.last - sequence.first + 1);
+    }
+    if (!surroundings.quiet) {
+        fmt::print("written       {} ... {}\n",
+                   sequence.files[static_cast<std::size_t>(sequence.first)].string(),
+                   sequence.files[static_cast<std::size_t>(sequence.last)].string());
+    }
+    if (targets.video.empty()) return;
+    make_video(arguments, targets, sequence, surroundings);
+    if (!surroundings.quiet && fs::exists(targets.video))
+        fmt::print("              {}\n", targets.video.string());
+}
+
+}  // namespace automorph::program
