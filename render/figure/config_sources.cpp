@@ -7,7 +7,9 @@
 #include <charconv>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 #include "morph/mesh/errors.h"
 #include "render/figure/config_reader.h"
@@ -21,14 +23,14 @@ namespace fs = std::filesystem;
 /// documents without end.
 class OneDocument : public YAML::EventHandler {
 public:
-    explicit OneDocument(const config::Place& place) : place_(place) {}
+    explicit OneDocument(const Place& place) : place_(place) {}
 
     void OnDocumentStart(const YAML::Mark& mark) override {
         if (++documents_ > 1) place_.fail(mark, "a second document ('---'); one config per file");
     }
     void OnDocumentEnd() override {}
     void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
-    void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+    void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { alias_ = mark; }
     void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
     void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
                          YAML::EmitterStyle::value) override {}
@@ -37,53 +39,48 @@ public:
                     YAML::EmitterStyle::value) override {}
     void OnMapEnd() override {}
 
+    /// One of the aliases, if there are any.
+    const std::optional<YAML::Mark>& alias() const { return alias_; }
+
 private:
-    const config::Place& place_;
+    const Place& place_;
     int documents_ = 0;
+    std::optional<YAML::Mark> alias_;
+};
+
+struct Document {
+    YAML::Node top;
+    std::optional<YAML::Mark> alias;  ///< where one stands, if any does
 };
 
 /// The config's only document.
-YAML::Node read_document(const std::string& text, const config::Place& place) {
+Document read_document(const std::string& text, const Place& place) {
     std::istringstream stream(text);
     YAML::Parser parser(stream);
     OneDocument only(place);
     while (parser.HandleNextDocument(only)) {
     }
-    return YAML::Load(text);
+    return {YAML::Load(text), only.alias()};
 }
 
-/// Merges what two mappings hold. Keys that only `base` has are put into `node`, so that all keep their
-/// marks.
-class Merge {
-public:
-    explicit Merge(const Place& place) : place_(place) {}
-
-    void operator()(YAML::Node node, const YAML::Node& base) {
-        for (const YAML::Node& each : merged_) {
-            if (each.is(node))
-                place_.fail(node.Mark(), "what an alias stands for cannot be extended; write it out");
-        }
-        merged_.push_back(node);
-        std::vector<std::string> seen;
-        for (const auto& entry : base) {
-            const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : "";
-            if (std::find(seen.begin(), seen.end(), name) != seen.end())
-                place_.fail(entry.first.Mark(), fmt::format("'{}' is given twice", name));
-            seen.push_back(name);
-            if (name == "extends") continue;
-            const YAML::Node own = std::as_const(node)[name];
-            if (!own) {
-                node[entry.first] = entry.second;
-            } else if (own.IsMap() && entry.second.IsMap()) {
-                (*this)(own, entry.second);
-            }
+/// Puts the keys into `node` that only `base` has, so that all keep their marks; mappings that both have are
+/// merged.
+void merge(YAML::Node node, const YAML::Node& base, const Place& place) {
+    std::vector<std::string> seen;
+    for (const auto& entry : base) {
+        const std::string name = entry.first.IsScalar() ? entry.first.Scalar() : "";
+        if (std::find(seen.begin(), seen.end(), name) != seen.end())
+            place.fail(entry.first.Mark(), fmt::format("'{}' is given twice", name));
+        seen.push_back(name);
+        if (name == "extends") continue;
+        const YAML::Node own = std::as_const(node)[name];
+        if (!own) {
+            node[entry.first] = entry.second;
+        } else if (own.IsMap() && entry.second.IsMap()) {
+            merge(own, entry.second, place);
         }
     }
-
-private:
-    const Place& place_;
-    std::vector<YAML::Node> merged_;
-};
+}
 
 /// Reads a chain of configs, each extended by the one before.
 class Chain {
@@ -92,8 +89,9 @@ public:
 
     YAML::Node read(const std::string& text, const fs::path& file) {
         const Place place{sources_};
-        const YAML::Node node =
+        const Document document =
             read_document(sources_.add(file.string(), file.parent_path(), true, text), place);
+        const YAML::Node node = document.top;
         if (node.IsNull()) {
             throw ConfigError(file.string() +
                               ":1:1: found nothing, expected a config ('automorph config --explain')");
@@ -107,8 +105,10 @@ public:
         const YAML::Node below = read(base_text(base, extends.Mark(), place), base);
         if (!below.IsMap())
             place.fail(extends.Mark(), fmt::format("extends: {} is no mapping", base.string()));
-        Merge merge(place);
-        merge(node, below);
+        // What an alias stands for is one mapping in several places; merging would change all of them.
+        if (document.alias)
+            place.fail(*document.alias, "an alias in a config that extends another; write it out");
+        merge(node, below, place);
         return node;
     }
 
@@ -127,6 +127,10 @@ private:
 
     std::string base_text(const fs::path& base, const YAML::Mark& mark, const Place& place) {
         std::string text;
+        std::error_code error;
+        // A pipe or device might never end.
+        if (fs::exists(base, error) && !fs::is_regular_file(base, error))
+            place.fail(mark, fmt::format("extends: {} is no file", base.string()));
         try {
             text = read_config_text(base);
         } catch (const IoError& error) {
@@ -235,14 +239,13 @@ void apply_override(Sources& sources, const YAML::Node& top, const std::string& 
             node.reset(YAML::Node(node[index]));
         } else {
             if (!node.IsMap()) fail(fmt::format("{} is no mapping here", way.empty() ? "the config" : way));
-            YAML::Node next = std::as_const(node)[step];
-            if (!next) {
-                next.reset(last ? parsed(text.substr(equals + 1)) : parsed("{}"));
-                node[parsed(step)] = next;
+            const bool exists = static_cast<bool>(std::as_const(node)[step]);
+            if (!exists) {
+                node[parsed(step)] = parsed(last ? text.substr(equals + 1) : "{}");
             } else if (last) {
                 node[step] = parsed(text.substr(equals + 1));
             }
-            node.reset(next);
+            node.reset(YAML::Node(node[step]));
         }
         way += (way.empty() || step.front() == '[' ? "" : ".") + step;
     }
