@@ -35,6 +35,10 @@ Json json(const AlignmentReport& alignment) {
             {"rounds", alignment.rounds}};
 }
 
+Json json(const DistortionReport& distortion) {
+    return {{"median", distortion.median}, {"p95", distortion.p95}, {"worst", distortion.worst}};
+}
+
 Json json(const MapReport& map) {
     return {{"of", map.of},
             {"weights", map.weights},
@@ -42,7 +46,9 @@ Json json(const MapReport& map) {
             {"flipped", map.flipped},
             {"p01", map.p01},
             {"smallest_ratio", map.smallest_ratio},
-            {"residual", map.residual}};
+            {"residual", map.residual},
+            {"area_distortion", json(map.area)},
+            {"angle_distortion", json(map.angle)}};
 }
 
 Json json(const BorderReport& border) {

@@ -41,6 +41,11 @@ struct BorderReport {
     int merged = 0;              ///< after the insertion; 0: there was none
 };
 
+/// Distortion of a map over the surface, factors >= 1 (parameterization/map_quality.h).
+struct DistortionReport {
+    double median = 1, p95 = 1, worst = 1;
+};
+
 /// One map onto the domain.
 struct MapReport {
     std::string of;       ///< "source", "target", "source half 1", ...
@@ -48,6 +53,7 @@ struct MapReport {
     std::string reason;   ///< why not the first choice; empty otherwise
     int flipped = 0;      ///< by the exact predicate; 0 always, or the morph fails
     double p01 = 0, smallest_ratio = 0, residual = 0;
+    DistortionReport area, angle;
 };
 
 /// Curvature features of two maps, Sec. 4.3.

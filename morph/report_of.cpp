@@ -30,6 +30,8 @@ MapReport report_of(const std::string& shape, const std::string& weights, const 
     map.flipped = quality.flipped;
     map.p01 = quality.p01;
     map.smallest_ratio = quality.smallest_ratio;
+    map.area = {quality.area.median, quality.area.p95, quality.area.worst};
+    map.angle = {quality.angle.median, quality.angle.p95, quality.angle.worst};
     return map;
 }
 

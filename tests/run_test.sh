@@ -138,4 +138,21 @@ check "no part is left" test -z "$(compgen -G "$work/project/build/meshes.part*"
 call figure heads.yaml
 check "they are fetched once" test "$(grep -c 'apt-get.*download' "$work/calls")" = 2
 
+new_machine
+echo ffmpeg >"$work/missing"
+chmod a+w "$work/missing"
+if ((EUID == 0)); then
+    call figure own.yaml
+    check "figures get the program that makes videos" called 'apt-get.* install --no-install-recommends ffmpeg$'
+    echo ffmpeg >"$work/missing"
+    rm "$work/network"
+    call figure own.yaml
+    check "without it the figure is made all the same" has '<figure><own.yaml>'
+    check "and it is said" has 'going on without videos'
+    check "the call succeeds without videos" test "$status" = 0
+    : >"$work/calls"
+    call morph
+    check "nothing else needs it" never called apt-get
+fi
+
 exit $((failures > 0))

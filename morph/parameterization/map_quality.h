@@ -4,11 +4,21 @@
 
 namespace automorph {
 
+/// How much a map distorts, a factor >= 1 per triangle; 1 is none. Shares are of the surface's area, so that
+/// how finely a place is tessellated does not matter.
+struct Distortion {
+    double median = 1.0;
+    double p95 = 1.0;    ///< 95 % of the surface is distorted less
+    double worst = 1.0;  ///< infinite where a triangle collapses in double precision
+};
+
 /// How good a map is; valid iff `flipped` is 0.
 struct MapQuality {
     int flipped = 0;              ///< triangles with det <= 0, by the exact predicate
     double smallest_ratio = 0.0;  ///< smallest (share of the domain) / (share of the surface), both areas
     double p01 = 0.0;             ///< that ratio below which 1 % of the surface lies; 1 is perfect
+    Distortion area;  ///< share of the domain over share of the surface, or its inverse, whichever is above 1
+    Distortion angle;  ///< larger over smaller singular value of the map of a triangle: 1 is conformal
 };
 
 /// Measures a map onto the disk. Triangles without area in 3D have no ratio and count for `flipped` only.

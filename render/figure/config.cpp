@@ -2,11 +2,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <yaml-cpp/eventhandler.h>
-
-#include <fstream>
-#include <iterator>
-#include <sstream>
 
 #include "render/figure/config_keys.h"
 
@@ -23,69 +18,42 @@ std::string range_text(const ConfigKey& key) {
     return "";
 }
 
-/// Refuses a second document. YAML::LoadAll must not see one: of some texts that begin indented it makes
-/// documents without end.
-class OneDocument : public YAML::EventHandler {
-public:
-    explicit OneDocument(const config::Place& place) : place_(place) {}
-
-    void OnDocumentStart(const YAML::Mark& mark) override {
-        if (++documents_ > 1) place_.fail(mark, "a second document ('---'); one config per file");
-    }
-    void OnDocumentEnd() override {}
-    void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
-    void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
-    void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
-    void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                         YAML::EmitterStyle::value) override {}
-    void OnSequenceEnd() override {}
-    void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
-                    YAML::EmitterStyle::value) override {}
-    void OnMapEnd() override {}
-
-private:
-    const config::Place& place_;
-    int documents_ = 0;
-};
-
-/// The config's only document.
-YAML::Node read_document(const std::string& text, const config::Place& place) {
-    std::istringstream stream(text);
-    YAML::Parser parser(stream);
-    OneDocument only(place);
-    while (parser.HandleNextDocument(only)) {
-    }
-    return YAML::Load(text);
-}
-
 }  // namespace
 
-FigureConfig load_config(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file)) {
-        throw IoError(fmt::format("{}: cannot read this config; is the path right?", file.string()));
-    }
-    return parse_config({std::istreambuf_iterator<char>(stream), {}}, file);
+FigureConfig load_config(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+    return parse_config(config::read_config_text(file), file, overrides);
 }
 
-FigureConfig parse_config(const std::string& text, const std::filesystem::path& file) {
-    const config::Place place{file.string(), ""};
+FigureConfig parse_config(const std::string& text, const std::filesystem::path& file,
+                          const std::vector<std::string>& overrides) {
+    config::Sources sources;
+    const config::Place place{sources};
     FigureConfig figure;
     figure.file = file;
     figure.text = text;
+    figure.overrides = overrides;
     figure.output = std::filesystem::path("out") / file.stem();
     try {
-        const YAML::Node top = read_document(text, place);
-        if (top.IsNull()) {
-            throw ConfigError(file.string() +
-                              ":1:1: found nothing, expected a config ('automorph config --explain')");
-        }
+        const YAML::Node top = config::read_documents(sources, text, file, figure.bases);
+        for (const std::string& each : overrides) config::apply_override(sources, top, each);
         config::read_section(figure, top, config::figure_section(), place);
     } catch (const YAML::Exception& error) {
         // Syntax errors, and whatever else yaml-cpp objects to.
         place.fail(error.mark, error.msg);
     }
     return figure;
+}
+
+std::string config_hash(const FigureConfig& config) {
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    const auto add = [&](const std::string& text) {
+        for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+        hash = (hash ^ 0xffu) * 0x100000001b3u;  // no byte of UTF-8: ends the text
+    };
+    add(config.text);
+    for (const ConfigText& base : config.bases) add(base.text);
+    for (const std::string& each : config.overrides) add(each);
+    return fmt::format("fnv1a64:{:016x}", hash);
 }
 
 std::vector<ConfigKey> config_keys() {
@@ -122,8 +90,11 @@ std::string allowed_values(const ConfigKey& key) {
 
 std::string explain_config() {
     std::string text =
-        "A figure's config is a YAML file. Relative paths are relative to the config's folder.\n"
-        "Numbers may be fractions (1/3). Unknown keys are errors.\n\n";
+        "A figure's config is a YAML file. Relative paths are relative to the folder of the file they stand "
+        "in.\n"
+        "Numbers may be fractions (1/3). Unknown keys are errors. 'automorph config --schema' prints a JSON "
+        "Schema "
+        "for editors.\n\n";
     for (const ConfigKey& key : config_keys()) {
         text += fmt::format("{}\n    {}\n    takes {}", key.path, key.meaning, allowed_values(key));
         if (key.required) text += "; required";

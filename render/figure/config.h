@@ -83,6 +83,17 @@ struct PictureConfig {
     render::Normals normals = render::Normals::Smooth;
 };
 
+/// The films of a figure that shows morphs. They cost by frames x size^2 x spp; the defaults, about as much
+/// as the cells.
+struct VideoConfig {
+    int frames = 48;        ///< of each row's loop from the source to the target and back; 0: none
+    double fps = 16;        ///< frames per second
+    int size = 320;         ///< longer side, pixels; the other follows from the cell's
+    int spp = 8;            ///< paths per pixel
+    int turntable = 48;     ///< frames of one turn about picture.up, morphing there and back; 0: none
+    int turntable_row = 0;  ///< from 1; 0: the last
+};
+
 /// What the cells of a figure show.
 enum class Show {
     Morph,     ///< frames
@@ -92,9 +103,18 @@ enum class Show {
     Features,  ///< both shapes with their curvature features marked
 };
 
+/// A file that a config is made of.
+struct ConfigText {
+    std::filesystem::path file;
+    std::string text;  ///< word for word
+};
+
 struct FigureConfig {
-    std::filesystem::path file;  ///< the config itself
-    std::string text;            ///< the config's text, word for word
+    std::filesystem::path file;          ///< the config itself
+    std::string text;                    ///< its text, word for word
+    std::filesystem::path extends;       ///< the config whose keys it takes over; empty: none
+    std::vector<ConfigText> bases;       ///< that config, the one it extends itself, and so on
+    std::vector<std::string> overrides;  ///< KEY=VALUE, in the order they were applied
     std::string title;
     Show show = Show::Morph;
     MeshConfig source, target;
@@ -103,17 +123,29 @@ struct FigureConfig {
     std::vector<double> turns{0, 45, 90};  ///< of Show::Shape: degrees about picture.up, one per cell
     std::uint64_t seed = 1;                ///< of the registration
     PictureConfig picture;
+    VideoConfig video;
     std::filesystem::path output;  ///< folder for the pictures
 };
 
-/// Reads and checks a config. Relative paths in it are relative to its own folder; the default output,
-/// out/<name of the config>, is relative to the working directory.
+/// Reads and checks a config. Relative paths in it are relative to the folder of the file they stand in; the
+/// default output, out/<name of the config>, is relative to the working directory.
+///
+/// `extends: other.yaml` takes over the keys of another config: mappings are merged key by key, everything
+/// else, lists too, is replaced.
+/// @param overrides  KEY=VALUE with a key's path, e.g. "picture.spp=16", "rows[0].domain=disk" (from 0), and
+/// any YAML
+///                   value; paths in them are relative to the working directory
 /// @throws ConfigError `file:line:column: what was found, what is allowed`
 /// @throws IoError     the file cannot be read
-FigureConfig load_config(const std::filesystem::path& file);
+FigureConfig load_config(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 /// The same from text; `file` is what errors call it and the base of relative paths.
-FigureConfig parse_config(const std::string& text, const std::filesystem::path& file);
+FigureConfig parse_config(const std::string& text, const std::filesystem::path& file,
+                          const std::vector<std::string>& overrides = {});
+
+/// FNV-1a of 64 bits over the config's text, the texts it extends and the overrides: "fnv1a64:" and 16
+/// digits.
+std::string config_hash(const FigureConfig& config);
 
 /// One key of the schema, for `config --explain` and editors.
 struct ConfigKey {
@@ -127,6 +159,7 @@ struct ConfigKey {
     bool required = false;
     std::string fallback;   ///< default, as YAML; empty if required or unset
     std::string only_with;  ///< e.g. "shape: star"; empty: always allowed
+    std::string shorthand;  ///< Section: the key whose value may stand in place of the mapping; empty: none
     std::string meaning;
 };
 
@@ -135,6 +168,9 @@ std::vector<ConfigKey> config_keys();
 
 /// The keys as text for a terminal.
 std::string explain_config();
+
+/// The keys as a JSON Schema (draft 7), by which editors complete and check configs.
+std::string config_schema();
 
 /// What a key takes, e.g. "an integer from 1 to 65536", "one of linear, rigid-linear, slerp".
 std::string allowed_values(const ConfigKey& key);

@@ -237,6 +237,23 @@ Section<PictureConfig> picture_section() {
     return table;
 }
 
+Section<VideoConfig> video_section() {
+    using V = VideoConfig;
+    Section<V> table;
+    table.keys = {
+        value("frames", &V::frames, {0, 100000},
+              "of each row's loop from the source to the target and back; 0: no videos of rows"),
+        value("fps", &V::fps, {1, 240}, "frames per second"),
+        value("size", &V::size, {16, 8192}, "longer side in pixels; the other follows from the cell's"),
+        value("spp", &V::spp, {1, 65536}, "light paths per pixel"),
+        value("turntable", &V::turntable, {0, 100000},
+              "frames of one turn about picture.up, on which a row morphs there and back; 0: no such video"),
+        value("turntable_row", &V::turntable_row, {0, 100000},
+              "which row turns, counting from 1; 0: the last"),
+    };
+    return table;
+}
+
 void check_figure(const FigureConfig& figure, const YAML::Node& node, const Place& place) {
     const char* shown = name_of(kShows, figure.show);
     const auto expect = [&](const char* name, bool wanted) {
@@ -249,6 +266,12 @@ void check_figure(const FigureConfig& figure, const YAML::Node& node, const Plac
     const bool pair = figure.show != Show::Map && figure.show != Show::Shape;
     expect("target", pair);
     expect("rows", figure.show == Show::Morph || figure.show == Show::Features);
+    if (figure.show != Show::Morph) expect("video", false);
+    if (figure.video.turntable_row > static_cast<int>(figure.rows.size())) {
+        place.fail(mark_of(node["video"], "turntable_row"),
+                   fmt::format("video.turntable_row: found {}, expected at most the number of rows, {}",
+                               figure.video.turntable_row, figure.rows.size()));
+    }
     for (std::size_t i = 1; i < figure.alphas.size(); ++i) {
         if (figure.alphas[i] <= figure.alphas[i - 1]) {
             place.fail(node["alphas"][i].Mark(),
@@ -279,6 +302,12 @@ Section<FigureConfig> make_figure_section() {
                           "the columns: degrees by which the shape is turned about picture.up")),
         value("seed", &C::seed, kSeed, "of the registration's samples and starts"),
         section("picture", &C::picture, picture_section(), "how every cell is pictured"),
+        section("video", &C::video, video_section(),
+                "the films, of `show: morph`; made by the program ffmpeg"),
+        path(
+            "extends", &C::extends,
+            "another config whose keys this one takes over: mappings are merged key by key, lists and values "
+            "replaced"),
         path("output", &C::output,
              "folder for the results; out/<config's name> in the working directory otherwise"),
     };

@@ -110,7 +110,7 @@ void Place::fail(const YAML::Mark& mark, const std::string& message) const {
     std::string line = message;  // keys and values may be of several
     std::replace_if(
         line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
-    throw ConfigError(fmt::format("{}:{}:{}: {}", file, mark.line + 1, mark.column + 1, line));
+    throw ConfigError(fmt::format("{}: {}", sources.where(mark), line));
 }
 
 std::string read_text(const YAML::Node& node, const ConfigKey& key, const Place& place) {

@@ -9,18 +9,20 @@
 
 #include "morph/mesh/errors.h"
 #include "render/figure/config.h"
+#include "render/figure/config_sources.h"
 #include "render/figure/names.h"
 
-/// Tables of keys that read a YAML mapping into a struct. Internal to the config readers: the only header
-/// that shows yaml-cpp.
+/// Tables of keys that read a YAML mapping into a struct. Internal to the config readers: with
+/// config_sources.h the only header that shows yaml-cpp.
 namespace automorph::config {
 
 /// What a reader needs to say where it is.
 struct Place {
-    std::string file;  ///< as errors call it
-    std::string path;  ///< of the section being read, e.g. "picture"; empty at the top
+    const Sources& sources;
+    std::string path = {};  ///< of the section being read, e.g. "picture"; empty at the top
 
     std::string at(const std::string& key) const { return path.empty() ? key : path + "." + key; }
+    Place inner(const std::string& key) const { return {sources, at(key)}; }
     [[noreturn]] void fail(const YAML::Mark& mark, const std::string& message) const;
 };
 
@@ -122,7 +124,7 @@ Key<T> path(const char* name, std::filesystem::path T::*member, const char* mean
     Key<T> key = blank<T>(name, ConfigKey::Type::Path, meaning);
     key.read = [member, info = key.info](T& into, const YAML::Node& node, const Place& place) {
         const std::filesystem::path found = read_text(node, info, place);
-        into.*member = (std::filesystem::path(place.file).parent_path() / found).lexically_normal();
+        into.*member = (place.sources.folder_of(node.Mark()) / found).lexically_normal();
     };
     return key;
 }
@@ -206,8 +208,9 @@ Key<T> choice(const char* name, M T::*member, const std::array<Named<M>, N>& cho
 template <class T, class U>
 Key<T> section(const char* name, U T::*member, const Section<U>& table, const char* meaning) {
     Key<T> key = blank<T>(name, ConfigKey::Type::Section, meaning);
+    key.info.shorthand = table.shorthand;
     key.read = [member, table, info = key.info](T& into, const YAML::Node& node, const Place& place) {
-        read_section(into.*member, node, table, Place{place.file, place.at(info.path)});
+        read_section(into.*member, node, table, place.inner(info.path));
     };
     key.describe_children = [table](std::vector<ConfigKey>& into, const std::string& prefix) {
         describe(table, prefix + ".", into);
@@ -226,7 +229,7 @@ Key<T> list(const char* name, std::vector<U> T::*member, const Section<U>& table
         }
         (into.*member).clear();
         for (std::size_t i = 0; i < node.size(); ++i) {
-            const Place inner{place.file, place.at(info.path) + "[" + std::to_string(i) + "]"};
+            const Place inner = place.inner(info.path + "[" + std::to_string(i) + "]");
             read_section((into.*member).emplace_back(), node[i], table, inner);
         }
     };

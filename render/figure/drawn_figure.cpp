@@ -14,6 +14,10 @@
 namespace automorph {
 namespace {
 
+Film film_of(const Figure& figure) {
+    return {figure.width, figure.height, figure.spp};
+}
+
 void draw_map(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
     const Stopwatch loading;
     const InputMesh shape = make_mesh(config.source, "source");
@@ -21,19 +25,12 @@ void draw_map(const FigureConfig& config, const FigureOptions& options, Figure& 
     const Stopwatch mapping;
     const ShapeMap map = map_shape(shape);
     figure.morph_seconds = mapping.seconds();
-    const Shooting shooting = shooting_of(config.picture, options, figure, {&shape.mesh.V});
+    const Shooting shooting = shooting_of(config.picture, options, film_of(figure), {&shape.mesh.V});
     Report& report = figure.morphs.emplace_back();
     report.source = shape.report;
     report.maps = {map.report};
-    figure.rows.push_back({{}, 0, map_panels(shooting, shape, map)});
+    figure.rows.emplace_back().cells = map_panels(shooting, shape, map);
     figure.camera = shooting.camera;
-}
-
-/// The shape turned about an axis through the middle of its bounding box.
-Points turned(const Points& V, const Eigen::Vector3d& axis, double degrees) {
-    const Eigen::Matrix3d R = rotation_matrix({axis, degrees});
-    const Eigen::RowVector3d centre = 0.5 * (V.colwise().minCoeff() + V.colwise().maxCoeff());
-    return ((V.rowwise() - centre) * R.transpose()).rowwise() + centre;
 }
 
 void picture_shape(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
@@ -42,65 +39,91 @@ void picture_shape(const FigureConfig& config, const FigureOptions& options, Fig
     figure.load_seconds = loading.seconds();
     std::vector<Points> sides;
     std::vector<const Points*> frames;
-    for (const double degrees : config.turns)
-        sides.push_back(turned(shape.mesh.V, config.picture.up, degrees));
+    const Points& V = shape.mesh.V;
+    const Eigen::RowVector3d centre = 0.5 * (V.colwise().minCoeff() + V.colwise().maxCoeff());
+    for (const double degrees : config.turns) sides.push_back(turned(V, centre, config.picture.up, degrees));
     for (const Points& side : sides) frames.push_back(&side);
-    const Shooting shooting = shooting_of(config.picture, options, figure, frames);
+    const Shooting shooting = shooting_of(config.picture, options, film_of(figure), frames);
     figure.camera = shooting.camera;
     figure.morphs.emplace_back().source = shape.report;
     FigureRow& row = figure.rows.emplace_back();
     Subject subject(shooting, shape.mesh.V, shape.mesh.F);
     for (std::size_t i = 0; i < sides.size(); ++i) {
+        if (!options.cells.has(i)) continue;
         FigureCell cell = subject.shoot(sides[i], [&](double fraction) {
             const double done = (static_cast<double>(i) + fraction) / static_cast<double>(sides.size());
             if (options.progress) options.progress("pictures", std::min(done, 0.999));
         });
         cell.label = fmt::format("{}\u00b0", config.turns[i]);
+        cell.column = i;
         row.cells.push_back(std::move(cell));
     }
     if (options.progress) options.progress("pictures", 1);
 }
 
-FigureRow draw_borders(const Shooting& shooting, const InputMesh& source, const InputMesh& target,
-                       std::uint64_t seed, Report& report) {
+std::vector<FigureCell> draw_borders(const Shooting& shooting, const InputMesh& source,
+                                     const InputMesh& target, std::uint64_t seed, Report& report) {
     const BorderInsertion insertion = insert_borders(source, target, seed);
     report.source = source.report;
     report.target = target.report;
     report.registration = insertion.registration;
     report.border = report_of(insertion.border);
-    return {{}, 0, border_panels(shooting, insertion)};
+    return border_panels(shooting, insertion);
 }
 
-FigureRow draw_features(const Shooting& shooting, const InputMesh& source, const InputMesh& target,
-                        std::uint64_t seed, RowConfig row, Report& report) {
+std::vector<FigureCell> draw_features(const Shooting& shooting, const InputMesh& source,
+                                      const InputMesh& target, std::uint64_t seed, RowConfig row,
+                                      Report& report) {
     row.alignment = Alignment::Features;
     report = morph(source, target, row.morph_options(seed)).report();
-    return {row, 0, feature_panels(shooting, source, target, report.features)};
+    return feature_panels(shooting, source, target, report.features);
+}
+
+void draw_panels(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
+    if (config.show == Show::Map) return draw_map(config, options, figure);
+    const Stopwatch loading;
+    const InputMesh source = make_mesh(config.source, "source"), target = make_mesh(config.target, "target");
+    figure.load_seconds = loading.seconds();
+    const Shooting shooting =
+        shooting_of(config.picture, options, film_of(figure), {&source.mesh.V, &target.mesh.V});
+    figure.camera = shooting.camera;
+    if (config.show == Show::Borders) {
+        figure.rows.emplace_back().cells =
+            draw_borders(shooting, source, target, config.seed, figure.morphs.emplace_back());
+        return;
+    }
+    for (std::size_t i = 0; i < config.rows.size(); ++i) {
+        if (!options.rows.has(i)) continue;
+        const RowConfig& config_row = config.rows[i];
+        const std::string task = fmt::format("row {} ({})", i + 1, config_row.label);
+        if (options.progress) options.progress(task, 0);
+        FigureRow& row = figure.rows.emplace_back();
+        row.config = config_row;
+        row.number = i;
+        row.morph = figure.morphs.size();
+        row.cells =
+            draw_features(shooting, source, target, config.seed, config_row, figure.morphs.emplace_back());
+        if (options.progress) options.progress(task, 1);
+    }
+}
+
+/// Panels are drawn together; those not selected are left out afterwards.
+void select_panels(const Selection& selection, FigureRow& row) {
+    std::vector<FigureCell> all;
+    all.swap(row.cells);
+    selection.check(all.size(), "cell");
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i].column = i;
+        if (selection.has(i)) row.cells.push_back(std::move(all[i]));
+    }
 }
 
 }  // namespace
 
 void draw_figure(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
     if (config.show == Show::Shape) return picture_shape(config, options, figure);
-    if (config.show == Show::Map) return draw_map(config, options, figure);
-    const Stopwatch loading;
-    const InputMesh source = make_mesh(config.source, "source"), target = make_mesh(config.target, "target");
-    figure.load_seconds = loading.seconds();
-    const Shooting shooting = shooting_of(config.picture, options, figure, {&source.mesh.V, &target.mesh.V});
-    figure.camera = shooting.camera;
-    if (config.show == Show::Borders) {
-        figure.rows.push_back(
-            draw_borders(shooting, source, target, config.seed, figure.morphs.emplace_back()));
-        return;
-    }
-    for (const RowConfig& row : config.rows) {
-        const std::string task = fmt::format("row {} ({})", figure.rows.size() + 1, row.label);
-        if (options.progress) options.progress(task, 0);
-        Report& report = figure.morphs.emplace_back();
-        figure.rows.push_back(draw_features(shooting, source, target, config.seed, row, report));
-        figure.rows.back().morph = figure.morphs.size() - 1;
-        if (options.progress) options.progress(task, 1);
-    }
+    draw_panels(config, options, figure);
+    for (FigureRow& row : figure.rows) select_panels(options.cells, row);
 }
 
 namespace drawing {

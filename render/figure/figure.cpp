@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "morph/frame_check.h"
 #include "morph/mesh/errors.h"
 #include "render/figure/drawn_figure.h"
 #include "render/figure/frames.h"
 #include "render/figure/mesh_source.h"
+#include "render/figure/page.h"
 #include "render/figure/sheet.h"
 #include "render/figure/stopwatch.h"
 #include "render/figure/subject.h"
@@ -28,73 +31,138 @@ bool same_morph(const RowConfig& a, const RowConfig& b) {
            a.lift == b.lift && a.features == b.features && a.nonrigid == b.nonrigid;
 }
 
-/// Computes each different morph once and fills in morphs and rows; returns the frames of each row.
-std::vector<FrameSequence> compute_rows(const FigureConfig& config, const FigureOptions& options,
-                                        Figure& figure) {
-    Stopwatch loading;
+/// The row's motion looked at, as `automorph morph --report` does.
+void check_frames_of(FigureRow& row, const Report& morph_report) {
+    const Report report = report_with_frames(*row.motion.morph, row.motion.scheme);
+    row.frames = report.frames;
+    row.warnings.assign(report.notes.begin() + static_cast<std::ptrdiff_t>(morph_report.notes.size()),
+                        report.notes.end());
+}
+
+/// Computes each different morph once, of rows that are not selected too, as the camera is theirs as well.
+void compute_rows(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
+    const Stopwatch loading;
     tell(options.progress, "meshes", 0);
     const InputMesh source = make_mesh(config.source, "source"), target = make_mesh(config.target, "target");
     tell(options.progress, "meshes", 1);
     figure.load_seconds = loading.seconds();
 
-    Stopwatch morphing;
-    std::vector<FrameSequence> sequences(config.rows.size());
-    for (const RowConfig& row : config.rows) figure.rows.push_back({row, 0, {}});
-    std::vector<bool> done(config.rows.size(), false);
-    for (std::size_t first = 0; first < config.rows.size(); ++first) {
-        if (done[first]) continue;
-        const RowConfig& row = config.rows[first];
-        const std::string task = fmt::format("morph of row {} ({})", first + 1, row.label);
-        tell(options.progress, task, 0);
-        const Morph result = morph(source, target, row.morph_options(config.seed));
-        for (std::size_t i = first; i < config.rows.size(); ++i) {
-            if (!same_morph(row, config.rows[i])) continue;
-            sequences[i] = frames_of(result, config.alphas, config.rows[i].interpolation);
-            figure.rows[i].morph = figure.morphs.size();
-            done[i] = true;
+    const Stopwatch morphing;
+    for (std::size_t i = 0; i < config.rows.size(); ++i) {
+        FigureRow& row = figure.rows.emplace_back();
+        row.config = config.rows[i];
+        row.number = i;
+        const auto same =
+            std::find_if(figure.rows.begin(), figure.rows.end() - 1,
+                         [&](const FigureRow& other) { return same_morph(other.config, row.config); });
+        if (same != figure.rows.end() - 1) {
+            row.motion = {same->motion.morph, row.config.interpolation};
+            row.morph = same->morph;
+            continue;
         }
-        figure.morphs.push_back(result.report());
+        const std::string task = fmt::format("morph of row {} ({})", i + 1, row.config.label);
+        tell(options.progress, task, 0);
+        row.motion = {
+            std::make_shared<const Morph>(morph(source, target, row.config.morph_options(config.seed))),
+            row.config.interpolation};
+        row.morph = figure.morphs.size();
+        figure.morphs.push_back(row.motion.morph->report());
         tell(options.progress, task, 1);
     }
+    for (const FigureRow& row : figure.rows) figure.motions.push_back(row.motion);
     figure.morph_seconds = morphing.seconds();
-    return sequences;
 }
 
-void render_row(const Shooting& shooting, const FrameSequence& sequence, FigureRow& row,
-                const std::string& task) {
+void check_rows(const FigureOptions& options, Figure& figure) {
+    if (!options.check_frames) return;
+    const Stopwatch checking;
+    const std::string task = "checking frames";
+    std::size_t done = 0;
+    for (FigureRow& row : figure.rows) {
+        tell(options.progress, task, static_cast<double>(done++) / static_cast<double>(figure.rows.size()));
+        const auto same = std::find_if(figure.rows.begin(), figure.rows.end(), [&](const FigureRow& other) {
+            return !other.frames.empty() && other.morph == row.morph &&
+                   other.config.interpolation == row.config.interpolation;
+        });
+        if (same != figure.rows.end()) {
+            row.frames = same->frames;
+            row.warnings = same->warnings;
+        } else {
+            check_frames_of(row, figure.morphs[row.morph]);
+        }
+    }
+    tell(options.progress, task, 1);
+    figure.check_seconds = checking.seconds();
+}
+
+void render_row(const FigureConfig& config, const Shooting& shooting, const FrameSequence& sequence,
+                FigureRow& row) {
+    const std::string task = fmt::format("pictures of row {} ({})", row.number + 1, row.config.label);
+    const FigureOptions& options = shooting.options;
     Subject subject(shooting, sequence.frames.front(), sequence.triangles);
+    double done = 0, count = 0;
+    for (std::size_t i = 0; i < config.alphas.size(); ++i) count += options.cells.has(i);
     for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
-        const double before = static_cast<double>(i), count = static_cast<double>(sequence.frames.size());
+        if (!options.cells.has(i)) continue;
         FigureCell cell = subject.shoot(sequence.frames[i], [&](double fraction) {
             // The row is done when the call returns with its last cell, not before.
-            tell(shooting.options.progress, task, std::min((before + fraction) / count, 0.999));
+            tell(options.progress, task, std::min((done + fraction) / count, 0.999));
         });
+        ++done;
         cell.alpha = sequence.alphas[i];
+        cell.column = i;
         cell.label = "\u03b1 = " + fraction_text(cell.alpha);
         row.cells.push_back(std::move(cell));
     }
-    tell(shooting.options.progress, task, 1);
+    tell(options.progress, task, 1);
 }
 
 void render_morphs(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
-    const std::vector<FrameSequence> sequences = compute_rows(config, options, figure);
+    compute_rows(config, options, figure);
+    std::vector<FrameSequence> sequences;
     std::vector<const Points*> frames;
+    for (const FigureRow& row : figure.rows)
+        sequences.push_back(frames_of(*row.motion.morph, config.alphas, row.motion.scheme));
     for (const FrameSequence& sequence : sequences) {
         for (const Points& V : sequence.frames) frames.push_back(&V);
     }
-    const Shooting shooting = shooting_of(config.picture, options, figure, frames);
+    const Shooting shooting =
+        shooting_of(config.picture, options, {figure.width, figure.height, figure.spp}, frames);
     figure.camera = shooting.camera;
-    for (std::size_t i = 0; i < sequences.size(); ++i) {
-        const std::string task = fmt::format("pictures of row {} ({})", i + 1, config.rows[i].label);
-        render_row(shooting, sequences[i], figure.rows[i], task);
+    std::vector<FigureRow> selected;
+    for (std::size_t i = 0; i < figure.rows.size(); ++i) {
+        if (options.rows.has(i)) selected.push_back(std::move(figure.rows[i]));
     }
+    figure.rows = std::move(selected);
+    check_rows(options, figure);
+    for (FigureRow& row : figure.rows) render_row(config, shooting, sequences[row.number], row);
+}
+
+/// How many rows and columns a figure has before anything is selected.
+std::size_t row_count(const FigureConfig& config) {
+    return std::max<std::size_t>(1, config.rows.size());
+}
+
+std::size_t column_count(const FigureConfig& config) {
+    if (config.show == Show::Morph) return config.alphas.size();
+    if (config.show == Show::Shape) return config.turns.size();
+    return std::numeric_limits<std::size_t>::max();  // told by those who draw them
+}
+
+render::Metadata sheet_metadata(const FigureConfig& config) {
+    return {{"Software", "automorph " AUTOMORPH_VERSION},
+            {"config", config.file.filename().string()},
+            {"config_hash", config_hash(config)}};
 }
 
 render::Metadata metadata(const FigureConfig& config, const Figure& figure, const FigureRow& row,
                           const FigureCell& cell) {
-    return {{"Software", "automorph"},           {"config", config.file.filename().string()},
-            {"row", row.config.label},           {"cell", cell.label},
-            {"spp", std::to_string(figure.spp)}, {"seed", std::to_string(config.picture.seed)}};
+    render::Metadata about = sheet_metadata(config);
+    about["row"] = row.config.label;
+    about["cell"] = cell.label;
+    about["spp"] = std::to_string(figure.spp);
+    about["seed"] = std::to_string(config.picture.seed);
+    return about;
 }
 
 }  // namespace
@@ -107,13 +175,17 @@ Figure render_figure(const FigureConfig& config, const FigureOptions& options) {
     if (figure.spp < 1)
         throw ConfigError(fmt::format("{} samples per pixel: expected at least 1", figure.spp));
 
-    Stopwatch whole;
+    options.rows.check(row_count(config), "row");
+    options.cells.check(column_count(config), "cell");
+
+    const Stopwatch whole;
     if (config.show == Show::Morph) {
         render_morphs(config, options, figure);
     } else {
         draw_figure(config, options, figure);
     }
-    figure.render_seconds = whole.seconds() - figure.load_seconds - figure.morph_seconds;
+    figure.render_seconds =
+        whole.seconds() - figure.load_seconds - figure.morph_seconds - figure.check_seconds;
     return figure;
 }
 
@@ -136,17 +208,19 @@ std::string cell_name(std::size_t row, std::size_t column) {
 
 void write_figure(const FigureConfig& config, const Figure& figure, const std::filesystem::path& folder) {
     make_folder(folder);
-    for (std::size_t i = 0; i < figure.rows.size(); ++i) {
-        const FigureRow& row = figure.rows[i];
-        for (std::size_t j = 0; j < row.cells.size(); ++j) {
-            const render::Metadata about = metadata(config, figure, row, row.cells[j]);
-            render::write_exr(folder / (cell_name(i, j) + ".exr"), row.cells[j].image, about);
-            render::write_png(folder / (cell_name(i, j) + ".png"), row.cells[j].image, about);
+    for (const FigureRow& row : figure.rows) {
+        for (const FigureCell& cell : row.cells) {
+            render::Metadata about = metadata(config, figure, row, cell);
+            const std::string name = cell_name(row.number, cell.column);
+            about["color_space"] = "linear, primaries of Rec. 709";
+            render::write_exr(folder / (name + ".exr"), cell.image, about);
+            about["color_space"] = "sRGB";
+            render::write_png(folder / (name + ".png"), cell.image, about);
         }
     }
-    render::write_png(folder / "sheet.png", figure_sheet(config, figure),
-                      {{"Software", "automorph"}, {"config", config.file.filename().string()}});
+    render::write_png(folder / "sheet.png", figure_sheet(config, figure), sheet_metadata(config));
     write_text_file(folder / "metrics.json", metrics_json(config, figure));
+    write_text_file(folder / "index.html", page_html(config, figure));
 }
 
 }  // namespace automorph

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "render/camera/camera.h"
 #include "render/figure/config.h"
 #include "render/figure/progress.h"
+#include "render/figure/selection.h"
 #include "render/film/image.h"
 
 /// From a config to pictures: meshes, one morph per different row, frames, one camera, cells, sheet.
@@ -20,34 +22,65 @@ struct FigureOptions {
     double scale = 1.0;         ///< of the cells' width and height, > 0
     int threads = 0;            ///< of the path tracer; 0: all
     std::string embree_config;  ///< "isa=sse4.2" makes the pictures the same on every x86-64 machine
+    Selection rows, cells;      ///< those to picture; the camera stays that of the whole figure
+    Selection frames;           ///< of the videos
+    bool check_frames = true;   ///< measures the frames of each row's motion
     Progress progress;
 };
 
 struct FigureCell {
-    render::Image image;  ///< linear RGB
-    std::string label;    ///< what stands above it
-    double alpha = 0;     ///< of a morph's frame
-    double seconds = 0;   ///< of rendering
+    render::Image image;     ///< linear RGB
+    std::string label;       ///< what stands above it
+    double alpha = 0;        ///< of a morph's frame
+    std::size_t column = 0;  ///< in the whole figure
+    double seconds = 0;      ///< of rendering
     std::uint64_t rays = 0, bad_samples = 0;
+};
+
+/// How a row moves.
+struct Motion {
+    std::shared_ptr<const Morph> morph;  ///< rows with the same options share it; empty where none is shown
+    Interpolation scheme = Interpolation::Slerp;
+
+    Points at(double alpha) const { return morph->frame(alpha, scheme); }
+};
+
+/// A loop from the source to the target and back, as pictures for the page.
+struct Clip {
+    std::string name;                 ///< of the video files in the figure's folder, without extension
+    int width = 0, height = 0;        ///< pixels
+    int frames = 0;                   ///< of the video
+    std::vector<double> alphas;       ///< of the stills, ascending
+    std::vector<std::string> stills;  ///< one per alpha, as data URIs
+    double seconds = 0;               ///< of rendering
+    bool encoded = false;             ///< the videos are in the folder
 };
 
 struct FigureRow {
     RowConfig config;
-    std::size_t morph = 0;  ///< index into Figure::morphs
+    std::size_t number = 0;  ///< in the whole figure
+    std::size_t morph = 0;   ///< index into Figure::morphs
     std::vector<FigureCell> cells;
+    std::vector<FrameReport> frames;    ///< along the motion; empty unless they were checked
+    std::vector<std::string> warnings;  ///< what is suspicious about them, one sentence each
+    Motion motion;
+    std::optional<Clip> clip;  ///< of make_clips()
 };
 
 struct Figure {
     std::vector<Report> morphs;  ///< one per different set of options; rows share them
     std::vector<FigureRow> rows;
-    render::Camera camera;  ///< of all cells
+    std::vector<Motion> motions;    ///< of all rows, selected or not
+    std::optional<Clip> turntable;  ///< without stills
+    std::string no_videos;          ///< why there are none; empty otherwise
+    render::Camera camera;          ///< of all cells
     int width = 0, height = 0, spp = 0;
-    double load_seconds = 0, morph_seconds = 0, render_seconds = 0;
+    double load_seconds = 0, morph_seconds = 0, check_seconds = 0, render_seconds = 0, video_seconds = 0;
 };
 
 /// Computes all cells; writes nothing.
 /// @throws IoError, InvalidMesh, SolverFailure as load_mesh() and morph() do, ConfigError if an option is out
-/// of range
+/// of range or nothing is selected
 Figure render_figure(const FigureConfig& config, const FigureOptions& options = {});
 
 /// The cells with title and labels.
@@ -57,7 +90,8 @@ render::Image figure_sheet(const FigureConfig& config, const Figure& figure);
 /// Name of a cell's files without extension, counting from 1: "row1-col2".
 std::string cell_name(std::size_t row, std::size_t column);
 
-/// Writes row<i>-col<j>.exr and .png for each cell, sheet.png and metrics.json, each aside and then renamed.
+/// Writes row<i>-col<j>.exr and .png for each cell, sheet.png, metrics.json and the page index.html, each
+/// aside and then renamed.
 /// @throws IoError
 void write_figure(const FigureConfig& config, const Figure& figure, const std::filesystem::path& folder);
 

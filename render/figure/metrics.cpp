@@ -12,16 +12,37 @@ Json vector_json(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-Json row_json(const FigureRow& row, std::size_t index) {
-    Json cells = Json::array();
-    for (std::size_t j = 0; j < row.cells.size(); ++j) {
-        const FigureCell& cell = row.cells[j];
-        cells.push_back({{"name", cell_name(index, j)},
+Json frame_json(const FrameReport& frame) {
+    return {{"alpha", frame.alpha},
+            {"area", frame.area},
+            {"volume", frame.volume},
+            {"area_ratio", frame.area_ratio},
+            {"volume_ratio", frame.volume_ratio},
+            {"smallest_angle_degrees", frame.smallest_angle},
+            {"reversed_triangles", frame.reversed},
+            {"self_intersecting_triangles", frame.self_intersecting}};
+}
+
+Json clip_json(const Clip& clip) {
+    Json files = Json::array();
+    if (clip.encoded) files = {clip.name + ".mp4", clip.name + ".webm"};
+    return {{"files", files},
+            {"frames", clip.frames},
+            {"width", clip.width},
+            {"height", clip.height},
+            {"render_seconds", clip.seconds}};
+}
+
+Json row_json(const FigureRow& row) {
+    Json cells = Json::array(), frames = Json::array();
+    for (const FigureCell& cell : row.cells) {
+        cells.push_back({{"name", cell_name(row.number, cell.column)},
                          {"alpha", cell.alpha},
                          {"render_seconds", cell.seconds},
                          {"rays", cell.rays},
                          {"bad_samples", cell.bad_samples}});
     }
+    for (const FrameReport& frame : row.frames) frames.push_back(frame_json(frame));
     return {{"label", row.config.label},
             {"alignment", name_of(kAlignments, row.config.alignment)},
             {"interpolation", name_of(kInterpolations, row.config.interpolation)},
@@ -29,7 +50,10 @@ Json row_json(const FigureRow& row, std::size_t index) {
             {"domain", name_of(kDomains, row.config.domain)},
             {"lift", row.config.lift},
             {"morph", row.morph},
-            {"cells", cells}};
+            {"cells", cells},
+            {"frames", frames},
+            {"warnings", row.warnings},
+            {"video", row.clip ? clip_json(*row.clip) : Json()}};
 }
 
 }  // namespace
@@ -37,8 +61,15 @@ Json row_json(const FigureRow& row, std::size_t index) {
 std::string metrics_json(const FigureConfig& config, const Figure& figure) {
     Json json;
     json["title"] = config.title;
+    json["version"] = AUTOMORPH_VERSION;
     json["config"] = config.file.string();
+    json["config_hash"] = config_hash(config);
     json["config_text"] = config.text;
+    json["extends"] = Json::array();
+    for (const ConfigText& base : config.bases)
+        json["extends"].push_back({{"config", base.file.string()}, {"config_text", base.text}});
+    json["overrides"] = config.overrides;
+    json["show"] = name_of(kShows, config.show);
     json["picture"] = {{"width", figure.width},
                        {"height", figure.height},
                        {"spp", figure.spp},
@@ -48,11 +79,15 @@ std::string metrics_json(const FigureConfig& config, const Figure& figure) {
                       {"up", vector_json(figure.camera.up)},
                       {"vertical_fov_degrees", figure.camera.vertical_fov}};
     json["rows"] = Json::array();
-    for (std::size_t i = 0; i < figure.rows.size(); ++i) json["rows"].push_back(row_json(figure.rows[i], i));
+    for (const FigureRow& row : figure.rows) json["rows"].push_back(row_json(row));
     json["morphs"] = Json::array();
     for (const Report& report : figure.morphs) json["morphs"].push_back(Json::parse(report_json(report)));
-    json["seconds"] = {
-        {"load", figure.load_seconds}, {"morph", figure.morph_seconds}, {"render", figure.render_seconds}};
+    json["turntable"] = figure.turntable ? clip_json(*figure.turntable) : Json();
+    json["seconds"] = {{"load", figure.load_seconds},
+                       {"morph", figure.morph_seconds},
+                       {"check", figure.check_seconds},
+                       {"render", figure.render_seconds},
+                       {"video", figure.video_seconds}};
     // Labels come from files, which may hold anything: what is not UTF-8 is replaced, never an error.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

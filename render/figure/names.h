@@ -6,6 +6,7 @@
 #include "morph/morph.h"
 #include "morph/shapes/head.h"
 #include "render/figure/config.h"
+#include "render/figure/quality.h"
 #include "render/geometry/triangle_mesh.h"
 
 /// What the values of options are called in configs, on the command line and in results.
@@ -33,6 +34,9 @@ inline constexpr std::array kFeatureTargets{Named<FeatureTargets>{"vertices", Fe
 inline constexpr std::array kShows{Named<Show>{"morph", Show::Morph}, Named<Show>{"shape", Show::Shape},
                                    Named<Show>{"map", Show::Map}, Named<Show>{"borders", Show::Borders},
                                    Named<Show>{"features", Show::Features}};
+inline constexpr std::array kQualities{Named<Quality>{"draft", Quality::Draft},
+                                       Named<Quality>{"normal", Quality::Normal},
+                                       Named<Quality>{"final", Quality::Final}};
 inline constexpr std::array kNormals{Named<render::Normals>{"smooth", render::Normals::Smooth},
                                      Named<render::Normals>{"flat", render::Normals::Flat}};
 

@@ -1,6 +1,8 @@
 #include "render/figure/subject.h"
 
-#include "render/camera/framing.h"
+#include <algorithm>
+
+#include "render/figure/mesh_source.h"
 #include "render/geometry/embree_scene.h"
 #include "render/integrator/render.h"
 
@@ -11,23 +13,41 @@ render::Color color(const Eigen::Vector3d& rgb) {
     return rgb.cast<float>().array();
 }
 
+render::FramingOptions framing_options(const PictureConfig& picture, const Film& film) {
+    render::FramingOptions options;
+    options.direction = picture.view;
+    options.up = picture.up;
+    options.vertical_fov = picture.fov;
+    options.aspect = static_cast<double>(film.width) / film.height;
+    options.margin = picture.margin;
+    return options;
+}
+
 }  // namespace
 
-Shooting shooting_of(const PictureConfig& picture, const FigureOptions& options, const Figure& figure,
+ShootingPlan::ShootingPlan(const PictureConfig& picture, const FigureOptions& options, const Film& film)
+    : picture_(picture), options_(options), film_(film), framing_(framing_options(picture, film)) {}
+
+void ShootingPlan::add(const Points& V) {
+    framing_.add(V);
+    bounds_.add(V);
+}
+
+Shooting ShootingPlan::shooting() const {
+    return {picture_, options_, framing_.camera(), bounds_, film_.width, film_.height, film_.spp};
+}
+
+Shooting shooting_of(const PictureConfig& picture, const FigureOptions& options, const Film& film,
                      const std::vector<const Points*>& frames) {
-    render::FramingOptions framing_options;
-    framing_options.direction = picture.view;
-    framing_options.up = picture.up;
-    framing_options.vertical_fov = picture.fov;
-    framing_options.aspect = static_cast<double>(figure.width) / figure.height;
-    framing_options.margin = picture.margin;
-    render::Framing framing(framing_options);
-    render::Bounds bounds;
-    for (const Points* V : frames) {
-        framing.add(*V);
-        bounds.add(*V);
-    }
-    return {picture, options, framing.camera(), bounds, figure.width, figure.height, figure.spp};
+    ShootingPlan plan(picture, options, film);
+    for (const Points* V : frames) plan.add(*V);
+    return plan.shooting();
+}
+
+Points turned(const Points& V, const Eigen::RowVector3d& centre, const Eigen::Vector3d& axis,
+              double degrees) {
+    const Eigen::Matrix3d R = rotation_matrix({axis, degrees});
+    return ((V.rowwise() - centre) * R.transpose()).rowwise() + centre;
 }
 
 Subject::Subject(const Shooting& shooting, const Points& V, const Triangles& F)
@@ -40,12 +60,15 @@ Subject::Subject(const Shooting& shooting, const Points& V, const Triangles& F)
                        {color(shooting.picture.background), shooting.picture.ground});
 }
 
-FigureCell Subject::shoot(const Points& V, const std::function<void(double)>& progress) {
+FigureCell Subject::shoot(const Points& V, const std::function<void(double)>& progress, std::uint32_t frame) {
     render::RenderOptions settings;
     settings.width = shooting_.width;
     settings.height = shooting_.height;
     settings.spp = shooting_.spp;
     settings.seed = shooting_.picture.seed;
+    settings.frame = frame;
+    settings.adaptive_error = shooting_.adaptive_error;
+    settings.pilot = std::min(settings.pilot, std::max(2, shooting_.spp / 4));
     settings.threads = shooting_.options.threads;
     settings.progress = progress;
     scene_.move_mesh(mesh_, V);

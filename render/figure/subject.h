@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "render/camera/camera.h"
+#include "render/camera/framing.h"
 #include "render/figure/config.h"
 #include "render/figure/figure.h"
 #include "render/geometry/scene.h"
@@ -17,11 +18,35 @@ struct Shooting {
     render::Camera camera;
     render::Bounds bounds;  ///< of all that is ever shown
     int width = 0, height = 0, spp = 0;
+    double adaptive_error = 0;  ///< render::RenderOptions; 0: all pixels take `spp`
 };
 
-/// The tightest camera of the config's direction for all frames, and their bounds.
-Shooting shooting_of(const PictureConfig& picture, const FigureOptions& options, const Figure& figure,
+/// Size and samples of pictures.
+struct Film {
+    int width = 0, height = 0, spp = 0;
+};
+
+/// Finds the tightest camera of the config's direction for all frames, and their bounds. Frames are not kept.
+class ShootingPlan {
+public:
+    ShootingPlan(const PictureConfig& picture, const FigureOptions& options, const Film& film);
+    void add(const Points& V);
+    Shooting shooting() const;
+
+private:
+    const PictureConfig& picture_;
+    const FigureOptions& options_;
+    Film film_;
+    render::Framing framing_;
+    render::Bounds bounds_;
+};
+
+/// The same in one call.
+Shooting shooting_of(const PictureConfig& picture, const FigureOptions& options, const Film& film,
                      const std::vector<const Points*>& frames);
+
+/// Points turned about an axis through `centre`.
+Points turned(const Points& V, const Eigen::RowVector3d& centre, const Eigen::Vector3d& axis, double degrees);
 
 /// A surface in the figure's light.
 class Subject {
@@ -29,7 +54,8 @@ public:
     Subject(const Shooting& shooting, const Points& V, const Triangles& F);
 
     /// Moves the vertices there and takes the picture.
-    FigureCell shoot(const Points& V, const std::function<void(double)>& progress);
+    /// @param frame  of a video: frames have independent noise
+    FigureCell shoot(const Points& V, const std::function<void(double)>& progress, std::uint32_t frame = 0);
 
     /// Whether the camera sees a point of the surface as it was last pictured.
     bool sees(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const;

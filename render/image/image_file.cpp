@@ -2,6 +2,7 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/strutil.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -147,6 +148,25 @@ void write_png(const fs::path& file, const Image& image, const Metadata& metadat
         std::transform(linear.begin(), linear.end(), codes.begin(), to_srgb16);
         write(file, spec, type, codes.data());
     }
+}
+
+std::string jpeg_data_uri(const Image& image, int quality) {
+    const std::string name = "picture.jpg";  // tells the format; nothing is written there
+    OIIO::ImageSpec spec = make_spec(name, image, OIIO::TypeDesc::UINT8, {});
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput sink(bytes);
+    void* door = &sink;
+    spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &door);
+    spec.attribute("Compression", fmt::format("jpeg:{}", quality));
+    spec.attribute("jpeg:subsampling", "4:4:4");
+    std::vector<std::uint8_t> codes(image.pixels.size());
+    std::transform(image.pixels.begin(), image.pixels.end(), codes.begin(), to_srgb8);
+    const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(name);
+    if (!out) throw IoError("a JPEG cannot be made: " + OIIO::geterror());
+    if (!out->open(name, spec) || !out->write_image(OIIO::TypeDesc::UINT8, codes.data()) || !out->close())
+        throw IoError("a JPEG cannot be made: " + out->geterror());
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return "data:image/jpeg;base64," + OIIO::Strutil::base64_encode(text);
 }
 
 ImageFile read_image(const fs::path& file) {

@@ -48,6 +48,11 @@ struct PngOptions {
 void write_png(const std::filesystem::path& file, const Image& image, const Metadata& metadata = {},
                const PngOptions& options = {});
 
+/// The picture as a JPEG of full colour resolution, for pages: "data:image/jpeg;base64,...".
+/// @param quality  1 to 100
+/// @throws IoError as above
+std::string jpeg_data_uri(const Image& image, int quality);
+
 /// Reads EXR and HDR as they are, 8-bit and 16-bit PNG through the inverse of the sRGB curve; an alpha
 /// channel is dropped, as are layers.
 /// @throws IoError if the file is missing, not a picture or of other channels

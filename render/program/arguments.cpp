@@ -24,7 +24,7 @@ constexpr const char* kAbout =
 
 constexpr const char* kExamples = R"(Examples:
   automorph figure configs/fig7.yaml
-      makes out/fig7/sheet.png, every cell as EXR and PNG, and metrics.json
+      makes out/fig7/index.html, a page of it, sheet.png, every cell as EXR and PNG, videos and metrics.json
   automorph morph a.obj b.obj --frames 5 --out m_.ply
       writes m_000.ply ... m_004.ply, from the first mesh to the second
   automorph morph a.obj b.obj --correspondence c.csv --report r.json
@@ -47,7 +47,9 @@ Meshes: .off, .obj, .ply, .stl; open (one border, further openings allowed) or c
 
 constexpr const char* kFigureExamples = R"(Examples:
   automorph figure configs/fig7.yaml
-  automorph figure configs/fig7.yaml --spp 4 --scale 0.5      a quick look
+  automorph figure configs/fig7.yaml --quality draft          a quick look
+  automorph figure configs/fig7.yaml --rows 2 --cells 1,3-5 --set picture.spp=256
+  automorph figure configs/fig7.yaml --quality final --dry-run
   automorph figure configs/*.yaml --out results               results/fig7, results/heads, ...
 'automorph config --explain' lists the keys of a config.)";
 
@@ -68,6 +70,20 @@ void add_figure(CLI::App& app, FigureArguments& arguments) {
     command->add_option("--scale", arguments.scale, "Scales the cells' width and height")
         ->type_name("X")
         ->check(CLI::Range(0.01, 100.0));
+    add_choice(*command, "--quality", arguments.quality, kQualities,
+               "draft: half the size, few paths, no turntable; final: twice the size, four times the paths");
+    command->add_option("--rows", arguments.rows, "Only these rows; the camera stays that of all")
+        ->type_name("1,3-4");
+    command->add_option("--cells", arguments.cells, "Only these columns")->type_name("1-3");
+    command->add_option("--frames", arguments.frames, "Only these frames of the videos")->type_name("A-B");
+    command
+        ->add_option("--set", arguments.overrides,
+                     "Sets a key of the config, e.g. picture.spp=16, rows[0].domain=disk; repeatable")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false)
+        ->delimiter('\0');
+    command->add_flag("--dry-run", arguments.dry_run,
+                      "Tells what would be made, and about how long it takes");
     command->footer(kFigureExamples);
 }
 
@@ -295,6 +311,7 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
     info_command->footer("Its status is 0 if all meshes can be morphed, 1 otherwise.");
     CLI::App* config_command = app.add_subcommand("config", "Explains or checks configs of figures");
     config_command->add_flag("--explain", config.explain, "Print every key with type, default and meaning");
+    config_command->add_flag("--schema", config.schema, "Print a JSON Schema of configs, for editors");
     config_command->add_option("CONFIG", config.checked, "YAML files to check")->type_name("YAML");
 
     TextArguments texts;

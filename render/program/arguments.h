@@ -12,6 +12,7 @@
 #include "morph/morph.h"
 #include "morph/shapes/head.h"
 #include "morph/shapes/shapes.h"
+#include "render/figure/quality.h"
 #include "render/program/diff_arguments.h"
 #include "render/program/log.h"
 #include "render/turntable/timeline.h"
@@ -25,6 +26,10 @@ struct FigureArguments {
     std::optional<std::filesystem::path> out;  ///< folder; with several configs, one folder per config in it
     std::optional<int> spp;
     double scale = 1.0;
+    Quality quality = Quality::Normal;
+    std::string rows, cells, frames;     ///< selections, e.g. "1,3-4"; empty: all
+    std::vector<std::string> overrides;  ///< KEY=VALUE
+    bool dry_run = false;                ///< only tell what would be made
 };
 
 struct MorphArguments {
@@ -85,6 +90,7 @@ struct InfoArguments {
 
 struct ConfigArguments {
     bool explain = false;                        ///< print every key
+    bool schema = false;                         ///< print the JSON Schema
     std::vector<std::filesystem::path> checked;  ///< configs to check
 };
 

@@ -4,9 +4,11 @@
 #include <map>
 
 #include "morph/mesh/errors.h"
+#include "render/figure/clips.h"
 #include "render/figure/figure.h"
 #include "render/figure/text_file.h"
 #include "render/program/commands.h"
+#include "render/program/figure_plan.h"
 #include "render/program/summary.h"
 
 namespace automorph::program {
@@ -22,7 +24,8 @@ std::vector<Job> jobs_of(const FigureArguments& arguments) {
     std::vector<Job> jobs;
     std::map<std::filesystem::path, std::filesystem::path> config_of_folder;
     for (const std::filesystem::path& file : arguments.configs) {
-        Job job{load_config(file), {}};
+        Job job{load_config(file, arguments.overrides), {}};
+        apply_quality(arguments.quality, job.config);
         job.folder = job.config.output;
         if (arguments.out)
             job.folder = arguments.configs.size() > 1 ? *arguments.out / file.stem() : *arguments.out;
@@ -33,6 +36,7 @@ std::vector<Job> jobs_of(const FigureArguments& arguments) {
         }
         jobs.push_back(std::move(job));
     }
+    if (arguments.dry_run) return jobs;
     for (const Job& job : jobs) make_folder(job.folder);
     return jobs;
 }
@@ -47,6 +51,7 @@ void print_summary(const Figure& figure) {
         fmt::print("\nrow {}: {}{}\n", i + 1, row.config.label,
                    is_new ? "" : " (a morph above, moved otherwise)");
         if (is_new) fmt::print("{}", morph_summary(figure.morphs[row.morph]));
+        for (const std::string& warning : row.warnings) fmt::print("{:<13} {}\n", "note", warning);
         told = std::max(told, row.morph + 1);
         for (const FigureCell& cell : row.cells) bad += cell.bad_samples;
     }
@@ -62,16 +67,34 @@ void run(const FigureArguments& arguments, const Surroundings& surroundings) {
         options.scale = arguments.scale;
         options.threads = surroundings.threads;
         options.progress = surroundings.progress;
-        const Figure figure = render_figure(job.config, options);
+        const auto selection = [](const char* flag, const std::string& text) {
+            try {
+                return text.empty() ? Selection() : Selection(text);
+            } catch (const ConfigError& error) {
+                throw ConfigError(fmt::format("{} {}", flag, error.what()));
+            }
+        };
+        options.rows = selection("--rows", arguments.rows);
+        options.cells = selection("--cells", arguments.cells);
+        options.frames = selection("--frames", arguments.frames);
+        if (arguments.dry_run) {
+            fmt::print("{}", figure_plan(job.config, options, job.folder));
+            continue;
+        }
+        Figure figure = render_figure(job.config, options);
+        make_clips(job.config, options, job.folder, figure);
         write_figure(job.config, figure, job.folder);
         for (const Report& report : figure.morphs) {
             for (const std::string& doubt : doubts(report)) surroundings.warn(doubt);
         }
         if (surroundings.quiet) continue;
         print_summary(figure);
-        fmt::print("\n{}: meshes {:.1f} s, morphs {:.1f} s, pictures {:.1f} s\n",
-                   (job.folder / "sheet.png").string(), figure.load_seconds, figure.morph_seconds,
-                   figure.render_seconds);
+        if (!figure.no_videos.empty()) fmt::print("\nno videos: {}\n", figure.no_videos);
+        fmt::print(
+            "\n{}: meshes {:.1f} s, morphs {:.1f} s, checks {:.1f} s, pictures {:.1f} s, videos {:.1f} s\n",
+            (job.folder / "sheet.png").string(), figure.load_seconds, figure.morph_seconds,
+            figure.check_seconds, figure.render_seconds, figure.video_seconds);
+        fmt::print("{}\n", (job.folder / "index.html").string());
     }
 }
 

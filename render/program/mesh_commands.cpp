@@ -42,7 +42,9 @@ void run(const HeadArguments& arguments, const Surroundings& surroundings) {
 }
 
 void run(const ConfigArguments& arguments, const Surroundings& surroundings) {
-    if (arguments.explain || arguments.checked.empty()) fmt::print("{}", explain_config());
+    if (arguments.schema) fmt::print("{}", config_schema());
+    if (arguments.explain || (arguments.checked.empty() && !arguments.schema))
+        fmt::print("{}", explain_config());
     for (const std::filesystem::path& file : arguments.checked) {
         const FigureConfig config = load_config(file);
         if (surroundings.quiet) continue;

@@ -218,6 +218,12 @@ TEST_CASE("map quality measures known area ratios") {
     CHECK(quality.flipped == 0);
     CHECK(quality.smallest_ratio == Approx(0.5).epsilon(1e-14));
     CHECK(quality.p01 == Approx(0.5).epsilon(1e-14));
+    CHECK(quality.area.median == Approx(1.5).epsilon(1e-14));  // 3/4 of the disk over 1/2 of the surface
+    CHECK(quality.area.p95 == Approx(2.0).epsilon(1e-14));
+    CHECK(quality.area.worst == Approx(2.0).epsilon(1e-14));
+    CHECK(quality.angle.median == Approx(1.0).epsilon(1e-14));  // one is kept, one stretched threefold
+    CHECK(quality.angle.p95 == Approx(3.0).epsilon(1e-14));
+    CHECK(quality.angle.worst == Approx(3.0).epsilon(1e-14));
     rays(3, 1) = 1.0;  // folded over
     CHECK(map_quality(mesh, rays).flipped == 1);
     rays(3, 1) = 0.0;  // flat

@@ -304,11 +304,18 @@ TEST_CASE("the quality of a map onto the sphere: shares of solid angle over shar
     MapQuality quality = sphere_map_quality(octahedron, rays);
     CHECK(quality.flipped == 0);
     CHECK(quality.p01 == Approx(1.0).epsilon(1e-12));
+    CHECK(quality.area.worst == Approx(1.0).epsilon(1e-12));
+    CHECK(quality.angle.worst == Approx(1.0).epsilon(1e-12));
     CHECK(total_solid_angle(octahedron.F, rays) == Approx(kSphere).epsilon(1e-12));
     octahedron.V.row(2) *=
         3.0;  // the four upper triangles get area sqrt(19) / 2, the others have sqrt(3) / 2
     quality = sphere_map_quality(octahedron, rays);
     CHECK(quality.p01 == Approx(0.5 * (1.0 + std::sqrt(3.0 / 19.0))).epsilon(1e-12));
+    // The upper ones have 1/2 of the sphere for more than half of the surface; their height over the base,
+    // from sqrt(19) / sqrt(2), becomes sqrt(3) / sqrt(2).
+    CHECK(quality.area.median == Approx(2.0 / (1.0 + std::sqrt(3.0 / 19.0))).epsilon(1e-12));
+    CHECK(quality.area.worst == Approx(0.5 * (1.0 + std::sqrt(19.0 / 3.0))).epsilon(1e-12));
+    CHECK(quality.angle.median == Approx(std::sqrt(19.0 / 3.0)).epsilon(1e-12));
     // One triangle, inside out.
     Mesh turned = octahedron;
     turned.F.row(0) << 1, 0, 2;

@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "morph/mesh/errors.h"
@@ -9,6 +10,7 @@
 #include "morph/shapes/shapes.h"
 #include "render/figure/frames.h"
 #include "render/figure/mesh_source.h"
+#include "render/figure/page.h"
 #include "render/figure/text_file.h"
 #include "render/image/image_file.h"
 #include "tests/catch.h"
@@ -116,7 +118,7 @@ TEST_CASE("samples and size can be overridden, and progress reaches the end of e
     CHECK(figure.width == 20);
     CHECK(figure.height == 16);
     CHECK(figure.spp == 1);
-    CHECK(begun.size() == 6);  // meshes, two morphs, three rows
+    CHECK(begun.size() == 7);  // meshes, two morphs, their frames, three rows
     CHECK(begun == ended);
     options.spp = 0;
     CHECK_THROWS_AS(render_figure(parse_config(kTiny, "tiny.yaml"), options), ConfigError);
@@ -127,7 +129,7 @@ TEST_CASE("a written figure has every cell, the sheet and the metrics, and nothi
     const FigureConfig config = parse_config(kTiny, "tiny.yaml");
     const Figure figure = render_figure(config);
     write_figure(config, figure, folder / "deep/out");
-    std::set<std::string> expected{"sheet.png", "metrics.json"};
+    std::set<std::string> expected{"sheet.png", "metrics.json", "index.html"};
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) {
             expected.insert(cell_name(i, j) + ".exr");
@@ -140,6 +142,15 @@ TEST_CASE("a written figure has every cell, the sheet and the metrics, and nothi
     const render::ImageFile cell = render::read_image(folder / "deep/out/row2-col3.exr");
     CHECK(cell.image.pixels == figure.rows[1].cells[2].image.pixels);
     CHECK(cell.metadata.at("row") == "registered");
+    const render::Metadata png = render::read_image(folder / "deep/out/row2-col3.png").metadata;
+    for (const render::Metadata& about : {cell.metadata, png}) {
+        CHECK(about.at("Software").rfind("automorph 0.", 0) == 0);
+        CHECK(about.at("config_hash") == config_hash(config));
+        CHECK(about.at("seed") == "1");
+        CHECK(about.at("spp") == "2");
+    }
+    CHECK(cell.metadata.at("color_space") == "linear, primaries of Rec. 709");
+    CHECK(png.at("color_space") == "sRGB");
     const render::Image sheet = render::read_image(folder / "deep/out/sheet.png").image;
     CHECK(sheet.width > 3 * 40);
     const std::string metrics = content(folder / "deep/out/metrics.json");
@@ -148,6 +159,98 @@ TEST_CASE("a written figure has every cell, the sheet and the metrics, and nothi
         INFO(phrase);
         CHECK(metrics.find(phrase) != std::string::npos);
     }
+}
+
+TEST_CASE("metrics tell distortion, and area and volume along the morph of each row") {
+    FigureConfig config = parse_config(kTiny, "tiny.yaml", {"title=said", "seed=4"});
+    const Figure figure = render_figure(config);
+    const auto metrics = nlohmann::json::parse(metrics_json(config, figure));
+    CHECK(metrics["config_hash"] == config_hash(config));
+    CHECK(metrics["overrides"] == std::vector<std::string>{"title=said", "seed=4"});
+    CHECK(metrics["config_text"] == kTiny);
+    for (const auto& row : metrics["rows"]) {
+        REQUIRE(row["frames"].size() == 7);
+        CHECK(row["frames"][0]["alpha"] == 0.0);
+        CHECK(row["frames"][0]["volume_ratio"] == 1.0);
+        CHECK(row["frames"][6]["alpha"] == 1.0);
+        CHECK(row["frames"][6]["area_ratio"] == 1.0);
+        for (const auto& frame : row["frames"]) {
+            CHECK(frame["area"] > 0.1);
+            CHECK(frame["smallest_angle_degrees"] >= 0.0);
+            CHECK(frame["reversed_triangles"] >= 0);
+            CHECK(frame["self_intersecting_triangles"] >= 0);
+        }
+    }
+    // Two rows share a morph and differ in how it moves, so the ends agree and the middle does not.
+    const auto &linear = metrics["rows"][1]["frames"], &slerp = metrics["rows"][2]["frames"];
+    CHECK(linear[6] == slerp[6]);
+    CHECK(linear[3]["area"] != slerp[3]["area"]);
+    for (const auto& morph : metrics["morphs"]) {
+        for (const auto& map : morph["maps"]) {
+            for (const char* kind : {"area_distortion", "angle_distortion"}) {
+                const auto& distortion = map[kind];
+                CHECK(distortion["median"] >= 1.0);
+                CHECK(distortion["p95"] >= distortion["median"]);
+                CHECK(distortion["worst"] >= distortion["p95"]);
+            }
+        }
+        CHECK(morph["stages"].size() > 2);
+    }
+    FigureOptions unchecked;
+    unchecked.check_frames = false;
+    CHECK(render_figure(config, unchecked).rows[0].frames.empty());
+}
+
+TEST_CASE("selected rows and cells are pictured as in the whole figure") {
+    const FigureConfig config = parse_config(kTiny, "tiny.yaml");
+    FigureOptions options;
+    options.rows = Selection("1,3");
+    options.cells = Selection("2-3");
+    const Figure whole = render_figure(config), part = render_figure(config, options);
+    REQUIRE(part.rows.size() == 2);
+    CHECK(part.rows[1].config.label == "turning");
+    CHECK(part.rows[1].number == 2);
+    for (const FigureRow& row : part.rows) {
+        REQUIRE(row.cells.size() == 2);
+        for (const FigureCell& cell : row.cells)
+            CHECK(cell.image.pixels == whole.rows[row.number].cells[cell.column].image.pixels);
+    }
+    const TemporaryFolder folder;
+    write_figure(config, part, folder.path());
+    CHECK(names_in(folder.path()) == std::set<std::string>{"index.html", "metrics.json", "sheet.png",
+                                                           "row1-col2.exr", "row1-col2.png", "row1-col3.exr",
+                                                           "row1-col3.png", "row3-col2.exr", "row3-col2.png",
+                                                           "row3-col3.exr", "row3-col3.png"});
+    options.cells = Selection("4");
+    CHECK_THROWS_AS(render_figure(config, options), ConfigError);
+    options.cells = {};
+    options.rows = Selection("4");
+    CHECK_THROWS_AS(render_figure(config, options), ConfigError);
+}
+
+TEST_CASE("a page holds its pictures and data, and nothing in a config can end its script") {
+    FigureConfig config = parse_config(kTiny, "tiny.yaml", {"title='</script><b>&'"});
+    config.rows.resize(1);
+    config.rows[0].label = "<img src=x> {{style}}";
+    const std::string page = page_html(config, render_figure(config));
+    CHECK(page.find("<title>&#60;/script&#62;&#60;b&#62;&#38;</title>") != std::string::npos);
+    CHECK(page.find("<img src=x>") == std::string::npos);
+    std::size_t scripts = 0;
+    for (std::size_t at = 0; (at = page.find("</script>", at)) != std::string::npos; ++at) ++scripts;
+    CHECK(scripts == 2);
+    CHECK(page.find("http:") == page.find("http://www.w3.org/2000/svg"));  // a name, not asked for
+    CHECK(page.find("https:") == std::string::npos);
+
+    const std::string begin = "<script type=\"application/json\" id=\"data\">";
+    const std::size_t data = page.find(begin) + begin.size();
+    const auto json = nlohmann::json::parse(page.substr(data, page.find("</script>", data) - data));
+    CHECK(json["rows"][0]["label"] == "<img src=x> {{style}}");
+    CHECK(json["title"] == "</script><b>&");
+    REQUIRE(json["rows"][0]["cells"].size() == 3);
+    for (const auto& cell : json["rows"][0]["cells"])
+        CHECK(cell["image"].get<std::string>().rfind("data:image/jpeg;base64,/9j/", 0) == 0);
+    // Without clips, the slider goes through the cells.
+    CHECK(json["rows"][0]["motion"]["alphas"] == std::vector<double>{0, 0.5, 1});
 }
 
 TEST_CASE("a frame sequence is the morph's own frames") {

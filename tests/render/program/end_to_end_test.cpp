@@ -157,12 +157,20 @@ TEST_CASE("a figure is made from a config into out/ and its name") {
     fs::create_directories(folder / "configs");
     std::ofstream(folder / "configs/tiny.yaml")
         << "source: ../a.off\ntarget: ../b.ply\nrows: [{label: only}]\n"
-           "alphas: [0, 1/2]\npicture: {width: 32, height: 32, spp: 1}\n";
-    const Run figure = run_program(folder, "figure configs/tiny.yaml");
+           "alphas: [0, 1/2]\npicture: {width: 32, height: 32, spp: 8}\n";
+    const Run plan = run_program(folder, "figure configs/tiny.yaml --quality draft --dry-run");
+    CHECK(plan.status == 0);
+    for (const char* phrase : {"out/tiny", "1 x 2 cells of 16 x 16 pixels, 2 paths each", "estimate: "}) {
+        INFO(phrase);
+        CHECK(plan.out.find(phrase) != std::string::npos);
+    }
+    CHECK_FALSE(fs::exists(folder / "out"));
+    const Run figure = run_program(
+        folder, "figure configs/tiny.yaml --set video.frames=0 --set picture.spp=1 --set video.turntable=0");
     INFO(figure.err);
     REQUIRE(figure.status == 0);
-    const std::set<std::string> expected{"row1-col1.exr", "row1-col1.png", "row1-col2.exr",
-                                         "row1-col2.png", "sheet.png",     "metrics.json"};
+    const std::set<std::string> expected{"row1-col1.exr", "row1-col1.png", "row1-col2.exr", "row1-col2.png",
+                                         "sheet.png",     "metrics.json",  "index.html"};
     CHECK(names_in(folder / "out/tiny") == expected);
     CHECK(figure.out.find("out/tiny/sheet.png") != std::string::npos);
     CHECK(figure.err.find('\r') == std::string::npos);  // no terminal, no bar
@@ -202,6 +210,10 @@ TEST_CASE("every error is one line on stderr and status 1, and leaves nothing be
     check("shape star gone/s.ply", "gone/s.ply");
     check("shape star s.xyz", "s.xyz");
     check("figure bad.yaml", "bad.yaml:3:1: unknown key 'rowz' in the config; did you mean 'rows'?");
+    check("figure bad.yaml --set rowz=1 --set picture.spq=2", "bad.yaml:3:1: unknown key 'rowz'");
+    check("figure gone.yaml --rows 1-", "--rows '1-': expected");
+    check("figure gone.yaml --dry-run --rows 2", "row 2: there are 1");
+    check("figure gone.yaml --quality best", "draft|normal|final");
     check("figure gone.yaml", "gone.off");
     check("figure no.yaml", "no.yaml");
     check("figure gone.yaml --out a.off/x", "a.off");

@@ -50,6 +50,22 @@ int status_of(const std::vector<const char*>& words) {
 
 }  // namespace
 
+TEST_CASE("what a figure makes and how well is told on the command line") {
+    const auto figure = command_of<FigureArguments>(
+        {"figure", "a.yaml", "--quality", "draft", "--rows", "1,3-4", "--cells", "2", "--frames", "1-8",
+         "--set", "picture.spp=4", "--set", "alphas=[0, 1]", "--dry-run", "b.yaml"});
+    CHECK(figure.quality == Quality::Draft);
+    CHECK(figure.rows == "1,3-4");
+    CHECK(figure.cells == "2");
+    CHECK(figure.frames == "1-8");
+    CHECK(figure.overrides == std::vector<std::string>{"picture.spp=4", "alphas=[0, 1]"});
+    CHECK(figure.dry_run);
+    CHECK(figure.configs.size() == 2);
+    CHECK(command_of<FigureArguments>({"figure", "a.yaml"}).quality == Quality::Normal);
+    CHECK(status_of({"figure", "a.yaml", "--quality", "best"}) == 1);
+    CHECK(command_of<ConfigArguments>({"config", "--schema"}).schema);
+}
+
 TEST_CASE("frames are numbered between stem and extension, with at least three digits") {
     CHECK(numbered("m_.ply", 0, 5) == fs::path("m_000.ply"));
     CHECK(numbered("m_.ply", 4, 5) == fs::path("m_004.ply"));

@@ -1,0 +1,198 @@
+#include "render/figure/clips.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "render/figure/stopwatch.h"
+#include "render/figure/subject.h"
+#include "render/figure/text_file.h"
+#include "render/figure/video_encoder.h"
+#include "render/image/image_file.h"
+
+namespace automorph {
+namespace {
+
+/// Standard error at which a pixel of a video has samples enough: noise of moving pictures is seen less.
+constexpr double kVideoError = 0.03;
+constexpr int kStillQuality = 85;  // of JPEG
+
+/// Halfway back, the loop shows the same frames again.
+int still_of(int index, int frames) {
+    return std::min(index, frames - index);
+}
+
+Film film_of(const FigureConfig& config) {
+    const VideoSize size = video_size(config);
+    return {size.width, size.height, config.video.spp};
+}
+
+/// Tells what is done; `fraction` of the whole task.
+void tell(const FigureOptions& options, const std::string& task, double fraction) {
+    if (options.progress) options.progress(task, fraction);
+}
+
+/// One camera for the loops of all rows.
+Shooting loop_shooting(const FigureConfig& config, const FigureOptions& options, const Figure& figure) {
+    ShootingPlan plan(config.picture, options, film_of(config));
+    for (const Motion& motion : figure.motions) {
+        for (int i = 0; i <= config.video.frames / 2; ++i)
+            plan.add(motion.at(loop_alpha(i, config.video.frames)));
+    }
+    Shooting shooting = plan.shooting();
+    shooting.adaptive_error = kVideoError;
+    return shooting;
+}
+
+void encode(const std::vector<VideoFrame>& stills, const std::vector<int>& still_of_frame, double fps,
+            const std::filesystem::path& stem) {
+    VideoEncoder encoder(stem, stills.front().width, stills.front().height, fps);
+    for (const int still : still_of_frame) encoder.add(stills[static_cast<std::size_t>(still)]);
+    encoder.finish();
+}
+
+/// Renders the stills that the selected frames need and makes the video of them.
+Clip row_clip(const FigureConfig& config, const Shooting& shooting, const FigureRow& row,
+              const std::filesystem::path& folder, bool encodes) {
+    const int frames = config.video.frames;
+    const std::string task = fmt::format("video of row {} ({})", row.number + 1, row.config.label);
+    std::vector<int> stills, shown;  // numbers of stills; per frame its place among them
+    for (int i = 0; i < frames; ++i) {
+        if (shooting.options.frames.has(static_cast<std::size_t>(i))) stills.push_back(still_of(i, frames));
+    }
+    shown = stills;
+    std::sort(stills.begin(), stills.end());
+    stills.erase(std::unique(stills.begin(), stills.end()), stills.end());
+    for (int& still : shown)
+        still = static_cast<int>(std::lower_bound(stills.begin(), stills.end(), still) - stills.begin());
+
+    Clip clip;
+    clip.name = fmt::format("row{}", row.number + 1);
+    clip.width = shooting.width;
+    clip.height = shooting.height;
+    clip.frames = static_cast<int>(shown.size());
+    Subject subject(shooting, row.motion.at(0), row.motion.morph->triangles());
+    std::vector<VideoFrame> pictures;
+    for (const int still : stills) {
+        const auto before = static_cast<double>(pictures.size()), count = static_cast<double>(stills.size());
+        const double alpha = loop_alpha(still, frames);
+        const FigureCell cell = subject.shoot(
+            row.motion.at(alpha),
+            [&](double fraction) {
+                tell(shooting.options, task, std::min((before + fraction) / count, 0.999));
+            },
+            static_cast<std::uint32_t>(still));
+        clip.alphas.push_back(alpha);
+        clip.stills.push_back(render::jpeg_data_uri(cell.image, kStillQuality));
+        clip.seconds += cell.seconds;
+        pictures.push_back(video_frame(cell.image));
+    }
+    if (encodes) encode(pictures, shown, config.video.fps, folder / clip.name);
+    clip.encoded = encodes;
+    tell(shooting.options, task, 1);
+    return clip;
+}
+
+/// The row that turns, unless it is not selected.
+const FigureRow* turning_row(const FigureConfig& config, const Figure& figure) {
+    const auto last = config.rows.size() - 1;
+    const auto number =
+        config.video.turntable_row > 0 ? static_cast<std::size_t>(config.video.turntable_row) - 1 : last;
+    const auto row = std::find_if(figure.rows.begin(), figure.rows.end(),
+                                  [&](const FigureRow& each) { return each.number == number; });
+    return row == figure.rows.end() ? nullptr : &*row;
+}
+
+/// The moments of a turntable: the morph's frame, turned about the middle of the whole motion.
+class Turntable {
+public:
+    Turntable(const FigureConfig& config, const Motion& motion)
+        : motion_(motion), up_(config.picture.up), frames_(config.video.turntable) {
+        render::Bounds bounds;
+        for (int i = 0; i <= frames_ / 2; ++i) bounds.add(motion.at(loop_alpha(i, frames_)));
+        centre_ = bounds.center();
+    }
+
+    Points frame(int index) const {
+        return turned(motion_.at(loop_alpha(index, frames_)), centre_, up_, 360.0 * index / frames_);
+    }
+
+private:
+    const Motion& motion_;
+    Eigen::Vector3d up_;
+    int frames_;
+    Eigen::RowVector3d centre_;
+};
+
+/// Frames go to ffmpeg as they are rendered.
+Clip turntable_clip(const FigureConfig& config, const FigureOptions& options, const FigureRow& row,
+                    const std::filesystem::path& folder) {
+    const std::string task = fmt::format("turntable of row {} ({})", row.number + 1, row.config.label);
+    const Turntable table(config, row.motion);
+    ShootingPlan plan(config.picture, options, film_of(config));
+    for (int i = 0; i < config.video.turntable; ++i) plan.add(table.frame(i));
+    Shooting shooting = plan.shooting();
+    shooting.adaptive_error = kVideoError;
+
+    Clip clip;
+    clip.name = "turntable";
+    clip.width = shooting.width;
+    clip.height = shooting.height;
+    Subject subject(shooting, row.motion.at(0), row.motion.morph->triangles());
+    VideoEncoder encoder(folder / clip.name, clip.width, clip.height, config.video.fps);
+    for (int i = 0; i < config.video.turntable; ++i) {
+        if (!options.frames.has(static_cast<std::size_t>(i))) continue;
+        const FigureCell cell = subject.shoot(
+            table.frame(i),
+            [&](double fraction) {
+                tell(options, task, std::min((i + fraction) / config.video.turntable, 0.999));
+            },
+            static_cast<std::uint32_t>(i));
+        clip.seconds += cell.seconds;
+        ++clip.frames;
+        encoder.add(video_frame(cell.image));
+    }
+    encoder.finish();
+    clip.encoded = true;
+    tell(options, task, 1);
+    return clip;
+}
+
+}  // namespace
+
+double loop_alpha(int index, int frames) {
+    const double way = 2.0 * still_of(index, frames) / std::max(frames, 1);
+    return 0.5 - 0.5 * std::cos(std::numbers::pi * std::min(way, 1.0));
+}
+
+VideoSize video_size(const FigureConfig& config) {
+    const double longer = std::max(config.picture.width, config.picture.height);
+    const auto side = [&](int cell) {
+        return std::max(2, 2 * static_cast<int>(std::lround(0.5 * config.video.size * cell / longer)));
+    };
+    return {side(config.picture.width), side(config.picture.height)};
+}
+
+void make_clips(const FigureConfig& config, const FigureOptions& options, const std::filesystem::path& folder,
+                Figure& figure) {
+    if (config.show != Show::Morph || (config.video.frames == 0 && config.video.turntable == 0)) return;
+    options.frames.check(static_cast<std::size_t>(std::max(config.video.frames, config.video.turntable)),
+                         "frame");
+    const Stopwatch filming;
+    make_folder(folder);
+    const bool encodes = has_ffmpeg();
+    if (!encodes) figure.no_videos = "the program ffmpeg is not installed (Debian package ffmpeg)";
+    if (config.video.frames > 0) {
+        const Shooting shooting = loop_shooting(config, options, figure);
+        for (FigureRow& row : figure.rows) row.clip = row_clip(config, shooting, row, folder, encodes);
+    }
+    const FigureRow* row = turning_row(config, figure);
+    if (encodes && row && config.video.turntable > 0)
+        figure.turntable = turntable_clip(config, options, *row, folder);
+    figure.video_seconds = filming.seconds();
+}
+
+}  // namespace automorph

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+
+#include "render/figure/config.h"
+#include "render/figure/figure.h"
+
+/// The films of a figure: each row's morph, there and back without a seam, and one row on a turntable.
+namespace automorph {
+
+/// Alpha of frame `index` of a loop: 0 at the first, 1 halfway, slow at both.
+/// @pre 0 <= index < frames
+double loop_alpha(int index, int frames);
+
+/// Size of the videos: `video.size` along the longer side of a cell, both sides even.
+struct VideoSize {
+    int width = 0, height = 0;
+};
+VideoSize video_size(const FigureConfig& config);
+
+/// Renders each row's loop and the turntable, fills in FigureRow::clip and Figure::turntable and, where
+/// ffmpeg is installed, writes row<i>.mp4, turntable.mp4 and both as .webm; Figure::no_videos says why not.
+/// Figures that show no morph have none.
+/// @throws IoError a file cannot be written, or ffmpeg gives up; nothing half-written is left
+/// @throws ConfigError a frame beyond the loop is selected
+void make_clips(const FigureConfig& config, const FigureOptions& options, const std::filesystem::path& folder,
+                Figure& figure);
+
+}  // namespace automorph

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "render/figure/figure.h"
+
+namespace automorph {
+
+/// The figure as one page that needs no network: cells, frames to scrub through, metrics and config are
+/// inside; videos lie beside it.
+std::string page_html(const FigureConfig& config, const Figure& figure);
+
+}  // namespace automorph

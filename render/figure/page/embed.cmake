@@ -1,0 +1,11 @@
+# Puts the page's parts into a source file: cmake -DFOLDER=... -DOUTPUT=... -P embed.cmake
+set(text "// Made from render/figure/page by embed.cmake.\n#include \"render/figure/page_files.h\"\n\nnamespace automorph::page {\n\n")
+foreach(part IN ITEMS Html.html Style.css Script.js)
+    string(REGEX REPLACE "^(.*)\\.(.*)$" "\\1;\\2" names "${part}")
+    list(GET names 0 name)
+    list(GET names 1 extension)
+    file(READ "${FOLDER}/page.${extension}" content)
+    string(APPEND text "const char* const k${name} = R\"page~(${content})page~\";\n\n")
+endforeach()
+string(APPEND text "}  // namespace automorph::page\n")
+file(WRITE "${OUTPUT}" "${text}")

@@ -1,0 +1,183 @@
+#include "render/figure/clips.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "morph/mesh/errors.h"
+#include "render/figure/video_encoder.h"
+#include "tests/catch.h"
+#include "tests/render/temporary_folder.h"
+
+using namespace automorph;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string kTiny = R"(title: Tiny
+source: {shape: ellipsoid, semi_axes: [1, 0.8, 0.5], triangles: 200, seed: 3}
+target: {shape: star, triangles: 300}
+rows:
+  - {label: plain, alignment: none, interpolation: linear}
+  - {label: other, alignment: none}
+alphas: [0, 1]
+picture: {width: 40, height: 30, spp: 1}
+video: {frames: 6, size: 32, spp: 2, turntable: 4}
+)";
+
+std::string content(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::set<std::string> names_in(const fs::path& folder) {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
+    return names;
+}
+
+/// What ffmpeg's second program finds in a video: codec, pixels, size, frames.
+std::string probed(const fs::path& file) {
+    const fs::path found = file.string() + ".txt";
+    const std::string command =
+        "ffprobe -v error -count_frames -select_streams v -show_entries "
+        "stream=codec_name,pix_fmt,width,height,nb_read_frames -of csv=p=0 '" +
+        file.string() + "' >'" + found.string() + "'";
+    REQUIRE(std::system(command.c_str()) == 0);
+    return content(found);
+}
+
+VideoFrame plain_frame(int width, int height, std::uint8_t gray) {
+    return {width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(3 * width * height), gray)};
+}
+
+/// For as long as it lives, programs are looked for in this folder only.
+class PathOnly {
+public:
+    explicit PathOnly(const fs::path& folder) : before_(std::getenv("PATH")) {
+        ::setenv("PATH", folder.c_str(), 1);
+    }
+    ~PathOnly() { ::setenv("PATH", before_.c_str(), 1); }
+
+private:
+    std::string before_;
+};
+
+}  // namespace
+
+TEST_CASE("a loop goes from the source to the target and back, slowly at both, without a seam") {
+    for (const int frames : {1, 2, 7, 48}) {
+        CHECK(loop_alpha(0, frames) == 0.0);
+        for (int i = 1; i < frames; ++i) CHECK(loop_alpha(i, frames) == loop_alpha(frames - i, frames));
+    }
+    CHECK(loop_alpha(24, 48) == Approx(1.0));
+    CHECK(loop_alpha(12, 48) == Approx(0.5));
+    CHECK(loop_alpha(1, 48) < 0.2 / 24);
+    for (int i = 1; i <= 24; ++i) CHECK(loop_alpha(i, 48) > loop_alpha(i - 1, 48));
+}
+
+TEST_CASE("videos have the cells' shape, with even sides") {
+    FigureConfig config = parse_config(kTiny, "tiny.yaml");
+    CHECK(video_size(config).width == 32);
+    CHECK(video_size(config).height == 24);
+    config.video.size = 33;
+    CHECK(video_size(config).width % 2 == 0);
+    CHECK(video_size(config).height % 2 == 0);
+}
+
+TEST_CASE("each row has a video, one row turns, and half of a loop's frames are rendered") {
+    if (!has_ffmpeg()) {
+        WARN("skipped: ffmpeg is not installed");
+        return;
+    }
+    const TemporaryFolder folder;
+    const FigureConfig config = parse_config(kTiny, "tiny.yaml");
+    Figure figure = render_figure(config);
+    make_clips(config, {}, folder.path(), figure);
+    CHECK(figure.no_videos.empty());
+    CHECK(names_in(folder.path()) == std::set<std::string>{"row1.mp4", "row1.webm", "row2.mp4", "row2.webm",
+                                                           "turntable.mp4", "turntable.webm"});
+    CHECK(probed(folder / "row1.mp4") == "h264,32,24,yuv420p,6\n");
+    CHECK(probed(folder / "row2.webm") == "vp9,32,24,yuv420p,6\n");
+    CHECK(probed(folder / "turntable.mp4") == "h264,32,24,yuv420p,4\n");
+    // What a player needs first comes first.
+    const std::string mp4 = content(folder / "row1.mp4");
+    CHECK(mp4.find("moov") < mp4.find("mdat"));
+    for (const FigureRow& row : figure.rows) {
+        REQUIRE(row.clip);
+        CHECK(row.clip->alphas.size() == 4);
+        CHECK(row.clip->stills.size() == 4);
+        CHECK(row.clip->alphas.front() == 0.0);
+        CHECK(row.clip->alphas.back() == Approx(1.0));
+        CHECK(row.clip->stills.front() != row.clip->stills.back());
+        CHECK(row.clip->stills.front().rfind("data:image/jpeg;base64,", 0) == 0);
+    }
+
+    // The same again gives the same files; a part of the rows and frames, the same pictures.
+    const TemporaryFolder other;
+    FigureOptions options;
+    options.rows = Selection("2");
+    options.frames = Selection("2-3");
+    options.threads = 1;
+    Figure part = render_figure(config, options);
+    make_clips(config, options, other.path(), part);
+    CHECK(probed(other / "row2.mp4") == "h264,32,24,yuv420p,2\n");
+    REQUIRE(part.rows.size() == 1);
+    REQUIRE(part.rows[0].clip->stills.size() == 2);
+    CHECK(part.rows[0].clip->stills[0] == figure.rows[1].clip->stills[1]);
+    CHECK(part.rows[0].clip->stills[1] == figure.rows[1].clip->stills[2]);
+    make_clips(config, {}, other.path(), part);
+    CHECK(content(other / "row2.mp4") == content(folder / "row2.mp4"));
+    CHECK(content(other / "row2.webm") == content(folder / "row2.webm"));
+    options.frames = Selection("7");
+    CHECK_THROWS_AS(make_clips(config, options, other.path(), part), ConfigError);
+}
+
+TEST_CASE("without ffmpeg there are stills but no videos, and the reason is told") {
+    const TemporaryFolder folder;
+    const FigureConfig config = parse_config(kTiny, "tiny.yaml");
+    Figure figure = render_figure(config);
+    const PathOnly none(folder.path());
+    CHECK_FALSE(has_ffmpeg());
+    make_clips(config, {}, folder / "out", figure);
+    CHECK(figure.no_videos.find("Debian package ffmpeg") != std::string::npos);
+    CHECK(names_in(folder / "out").empty());
+    CHECK_FALSE(figure.turntable);
+    REQUIRE(figure.rows[0].clip);
+    CHECK(figure.rows[0].clip->stills.size() == 4);
+    CHECK_FALSE(figure.rows[0].clip->encoded);
+    CHECK_THROWS_AS(VideoEncoder(folder / "v", 16, 16, 10), IoError);
+    CHECK(names_in(folder.path()) == std::set<std::string>{"out"});
+}
+
+TEST_CASE("an encoder that gives up is an error with its reason, and leaves nothing behind") {
+    const TemporaryFolder folder;
+    const fs::path programs = folder / "programs", videos = folder / "videos";
+    fs::create_directories(programs);
+    fs::create_directories(videos);
+    std::ofstream(programs / "ffmpeg") << "#!/bin/sh\necho 'no such codec' >&2\nexit 1\n";
+    fs::permissions(programs / "ffmpeg", fs::perms::owner_all);
+    const PathOnly fake(programs);
+    try {
+        VideoEncoder encoder(videos / "v", 64, 64, 10);
+        for (int i = 0; i < 100; ++i) encoder.add(plain_frame(64, 64, 0));
+        encoder.finish();
+        FAIL("no error");
+    } catch (const IoError& error) {
+        CHECK(std::string(error.what()) ==
+              (videos / "v.mp4").string() + ": ffmpeg cannot make the video: no such codec");
+    }
+    CHECK(names_in(videos).empty());
+}
+
+TEST_CASE("a video that is not finished leaves nothing behind") {
+    if (!has_ffmpeg()) return;
+    const TemporaryFolder folder;
+    {
+        VideoEncoder encoder(folder / "v", 64, 64, 10);
+        encoder.add(plain_frame(64, 64, 200));
+    }
+    CHECK(names_in(folder.path()).empty());
+}
