@@ -12,8 +12,8 @@
 #include "render/program/completion.h"
 #include "render/program/help_topics.h"
 #include "render/program/man_page.h"
-#include "render/program/version.h"
 #include "render/program/option_groups.h"
+#include "render/program/version.h"
 
 namespace automorph::program {
 namespace {

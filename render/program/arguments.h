@@ -94,9 +94,8 @@ struct ConfigArguments {
     std::vector<std::filesystem::path> checked;  ///< configs to check
 };
 
-using Command =
-    std::variant<FigureArguments, MorphArguments, TurntableArguments, EllipsoidArguments, StarArguments,
-                 HeadArguments, InfoArguments, ConfigArguments, DiffArguments>;
+using Command = std::variant<FigureArguments, MorphArguments, TurntableArguments, EllipsoidArguments,
+                             StarArguments, HeadArguments, InfoArguments, ConfigArguments, DiffArguments>;
 
 struct Arguments {
     Command command;

@@ -80,7 +80,7 @@ std::string described(const OptionEntry& option) {
         }
         if (!option.value.empty()) text += fmt::format(" \\fI{}\\fR", escaped(option.value));
     }
-    text += "\n" + escaped(option.meaning);
+    text += fmt::format("\n{}", escaped(option.meaning));
     std::string more = option.limits;
     if (!option.fallback.empty())
         more += fmt::format("{}default {}", more.empty() ? "" : ", ", option.fallback);

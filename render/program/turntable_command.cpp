@@ -25,6 +25,7 @@
 #include "render/program/frame_files.h"
 #include "render/program/interrupt.h"
 #include "render/program/summary.h"
+#include "render/program/version.h"
 #include "render/turntable/encode.h"
 #include "render/turntable/sequence.h"
 
@@ -65,7 +66,7 @@ std::string file_content(const fs::path& file) {
 Json common_inputs(const TurntableArguments& arguments) {
     const auto hash = [](const fs::path& mesh) { return render::content_hash(file_content(mesh)); };
     Json json;
-    json["version"] = AUTOMORPH_VERSION;
+    json["version"] = version();
     json["mesh"] = hash(arguments.source);
     if (!arguments.target.empty()) {
         json["target"] = hash(arguments.target);
