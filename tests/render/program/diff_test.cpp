@@ -107,7 +107,7 @@ TEST_CASE("modes are chosen by what the files hold, and said") {
     CHECK(run_program(folder, "diff plain.exr other.exr").status == 1);
     CHECK(run_program(folder, "diff plain.exr other.exr --rmse 0.1").status == 0);
     CHECK(run_program(folder, "diff plain.exr other.exr --rmse 0.1 --outlier 0.01").status == 1);
-    CHECK(run_program(folder, "diff plain.exr other.exr --rmse 0.1 --outlier 0.01 --outliers 900").status ==
+    CHECK(run_program(folder, "diff plain.exr other.exr --rmse 0.1 --outlier 0.01 --outliers 960").status ==
           0);
     CHECK(run_program(folder, "diff golden.png other.png").status == 1);
     CHECK(run_program(folder, "diff plain.exr golden.png --rmse 0.003").status == 0);  // 8 bits
@@ -149,8 +149,9 @@ TEST_CASE("what cannot be compared has status 2 and one line that says why") {
         CHECK(lines_in(result.err) == 1);
         CHECK(result.err.rfind("automorph: ", 0) == 0);
         CHECK(result.err.find(phrase) != std::string::npos);
-        CHECK(run_program(folder, "diff -q " + arguments).err == result.err);
-        CHECK(run_program(folder, "diff -q " + arguments).out.empty());
+        const Run quiet = run_program(folder, "diff -q " + arguments);
+        CHECK(quiet.err == result.err);
+        CHECK(quiet.out.empty());
     };
     check("plain.exr gone.exr", "gone.exr: missing");
     check("gone.exr plain.exr", "there is no golden gone.exr");
@@ -268,28 +269,4 @@ TEST_CASE("--accept replaces what differs, adds what is new and touches nothing 
         CHECK(content(folder / "golden/changed.exr") == before);
         CHECK(names_in(folder / "golden") == std::set<std::string>{"changed.exr", "gone.exr", "noise.exr"});
     }
-}
-
-TEST_CASE("figures written with layers are compared by their noise") {
-    const TemporaryFolder folder;
-    REQUIRE(run_program(folder, "shape ellipsoid a.off --triangles 300").status == 0);
-    const auto config = [&](int seed, const char* albedo) {
-        std::ofstream(folder / "c.yaml")
-            << "source: a.off\nshow: shape\nturns: [0]\n"
-            << "picture: {width: 32, height: 32, spp: 32, seed: " << seed << ", albedo: " << albedo << "}\n";
-    };
-    config(1, "[0.7, 0.7, 0.7]");
-    const Run figure = run_program(folder, "figure c.yaml --layers --out golden -q");
-    INFO(figure.err);
-    REQUIRE(figure.status == 0);
-    config(2, "[0.7, 0.7, 0.7]");
-    REQUIRE(run_program(folder, "figure c.yaml --layers --out noise -q").status == 0);
-    config(2, "[0.8, 0.7, 0.7]");
-    REQUIRE(run_program(folder, "figure c.yaml --layers --out change -q").status == 0);
-    const Run noise = run_program(folder, "diff golden/row1-col1.exr noise/row1-col1.exr");
-    CHECK(noise.status == 0);
-    holds(noise.out, "same (statistical");
-    const Run change = run_program(folder, "diff golden/row1-col1.exr change/row1-col1.exr");
-    CHECK(change.status == 1);
-    holds(change.out, "red");
 }
