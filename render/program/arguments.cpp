@@ -124,9 +124,9 @@ void add_morph(CLI::App& app, MorphArguments& arguments) {
         const auto refuse_if_given = [&](const char* flag, const char* why) {
             if (command->get_option(flag)->count() > 0) throw CLI::ValidationError(flag, why);
         };
-        if (glb) refuse_if_given("--frames", "is for numbered files; a .glb plays --seconds");
+        if (glb) refuse_if_given("--frames", "for numbered files only; a .glb plays --seconds");
         for (const char* flag : {"--seconds", "--ping-pong", "--up"}) {
-            if (!glb) refuse_if_given(flag, "is for an animated file: --out NAME.glb");
+            if (!glb) refuse_if_given(flag, "for an animated file only: --out NAME.glb");
         }
     });
 }

@@ -462,6 +462,8 @@ TEST_CASE("a wrong command line ends with status 1, help and version with 0") {
     CHECK(status_of({"morph", "--help"}) == 0);
     CHECK(status_of({"--version"}) == 0);
     CHECK(status_of({"help"}) == 0);
+    CHECK(status_of({"help", "--man"}) == 0);
+    CHECK(status_of({"help", "knitting"}) == 1);
     CHECK(status_of({"completion", "fish"}) == 1);
 }
 
