@@ -8,6 +8,7 @@
 #include "morph/mesh/errors.h"
 #include "render/figure/drawn_figure.h"
 #include "render/figure/frames.h"
+#include "render/figure/looks.h"
 #include "render/figure/mesh_source.h"
 #include "render/figure/sheet.h"
 #include "render/figure/stopwatch.h"
@@ -28,9 +29,16 @@ bool same_morph(const RowConfig& a, const RowConfig& b) {
            a.lift == b.lift && a.features == b.features && a.nonrigid == b.nonrigid;
 }
 
+/// What a row shows.
+struct RowFrames {
+    FrameSequence sequence;
+    std::vector<int> marked;               ///< vertices with a sphere
+    std::vector<Eigen::VectorXd> numbers;  ///< of each frame, if it is coloured by them
+};
+
 /// Computes each different morph once and fills in morphs and rows; returns the frames of each row.
-std::vector<FrameSequence> compute_rows(const FigureConfig& config, const FigureOptions& options,
-                                        Figure& figure) {
+std::vector<RowFrames> compute_rows(const FigureConfig& config, const FigureOptions& options,
+                                    Figure& figure) {
     Stopwatch loading;
     tell(options.progress, "meshes", 0);
     const InputMesh source = make_mesh(config.source, "source"), target = make_mesh(config.target, "target");
@@ -38,7 +46,7 @@ std::vector<FrameSequence> compute_rows(const FigureConfig& config, const Figure
     figure.load_seconds = loading.seconds();
 
     Stopwatch morphing;
-    std::vector<FrameSequence> sequences(config.rows.size());
+    std::vector<RowFrames> rows(config.rows.size());
     for (const RowConfig& row : config.rows) figure.rows.push_back({row, 0, {}});
     std::vector<bool> done(config.rows.size(), false);
     for (std::size_t first = 0; first < config.rows.size(); ++first) {
@@ -49,7 +57,11 @@ std::vector<FrameSequence> compute_rows(const FigureConfig& config, const Figure
         const Morph result = morph(source, target, row.morph_options(config.seed));
         for (std::size_t i = first; i < config.rows.size(); ++i) {
             if (!same_morph(row, config.rows[i])) continue;
-            sequences[i] = frames_of(result, config.alphas, config.rows[i].interpolation);
+            rows[i].sequence = frames_of(result, config.alphas, config.rows[i].interpolation);
+            rows[i].marked = marked_vertices(config.picture.markers, source.mesh.V, result.endpoints().a,
+                                             result.report().features);
+            if (config.picture.color != ColorField::None)
+                rows[i].numbers = color_field(config.picture.color, rows[i].sequence);
             figure.rows[i].morph = figure.morphs.size();
             done[i] = true;
         }
@@ -57,14 +69,18 @@ std::vector<FrameSequence> compute_rows(const FigureConfig& config, const Figure
         tell(options.progress, task, 1);
     }
     figure.morph_seconds = morphing.seconds();
-    return sequences;
+    return rows;
 }
 
-void render_row(const Shooting& shooting, const FrameSequence& sequence, FigureRow& row,
-                const std::string& task) {
+/// @param scale  of the numbers, if there are any
+void render_row(const Shooting& shooting, const RowFrames& frames, const std::optional<ColorScale>& scale,
+                FigureRow& row, const std::string& task) {
+    const FrameSequence& sequence = frames.sequence;
     Subject subject(shooting, sequence.frames.front(), sequence.triangles);
+    subject.mark(frames.marked);
     for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
         const double before = static_cast<double>(i), count = static_cast<double>(sequence.frames.size());
+        if (scale) subject.color(frames.numbers[i], *scale);
         FigureCell cell = subject.shoot(sequence.frames[i], [&](double fraction) {
             // The row is done when the call returns with its last cell, not before.
             tell(shooting.options.progress, task, std::min((before + fraction) / count, 0.999));
@@ -77,17 +93,37 @@ void render_row(const Shooting& shooting, const FrameSequence& sequence, FigureR
 }
 
 void render_morphs(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
-    const std::vector<FrameSequence> sequences = compute_rows(config, options, figure);
+    const std::vector<RowFrames> rows = compute_rows(config, options, figure);
     std::vector<const Points*> frames;
-    for (const FrameSequence& sequence : sequences) {
-        for (const Points& V : sequence.frames) frames.push_back(&V);
+    std::vector<std::vector<Eigen::VectorXd>> numbers;
+    for (const RowFrames& row : rows) {
+        for (const Points& V : row.sequence.frames) frames.push_back(&V);
+        numbers.push_back(row.numbers);
     }
+    if (config.picture.color != ColorField::None) figure.scale = color_scale(config.picture.color, numbers);
     const Shooting shooting = shooting_of(config.picture, options, figure, frames);
     figure.camera = shooting.camera;
-    for (std::size_t i = 0; i < sequences.size(); ++i) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
         const std::string task = fmt::format("pictures of row {} ({})", i + 1, config.rows[i].label);
-        render_row(shooting, sequences[i], figure.rows[i], task);
+        render_row(shooting, rows[i], figure.scale, figure.rows[i], task);
     }
+}
+
+/// Space between the cells of a sheet that do not merge, relative to their width.
+constexpr double kGap = 0.02;
+
+bool cells_end_in_background(const FigureConfig& config) {
+    if (config.show != Show::Looks || config.stages.empty()) return config.picture.ends_in_background();
+    return std::all_of(config.stages.begin(), config.stages.end(), [&](const StageConfig& stage) {
+        return stage.picture.ends_in_background() && stage.picture.background == config.picture.background;
+    });
+}
+
+/// What the sheet, written with the plain curve, shows as the cells' own files do.
+render::Image toned(render::Image image, render::ToneCurve curve) {
+    if (curve == render::ToneCurve::Filmic)
+        std::transform(image.pixels.begin(), image.pixels.end(), image.pixels.begin(), render::filmic);
+    return image;
 }
 
 render::Metadata metadata(const FigureConfig& config, const Figure& figure, const FigureRow& row,
@@ -110,6 +146,8 @@ Figure render_figure(const FigureConfig& config, const FigureOptions& options) {
     Stopwatch whole;
     if (config.show == Show::Morph) {
         render_morphs(config, options, figure);
+    } else if (config.show == Show::Looks) {
+        picture_looks(config, options, figure);
     } else {
         draw_figure(config, options, figure);
     }
@@ -124,10 +162,19 @@ render::Image figure_sheet(const FigureConfig& config, const Figure& figure) {
     for (const FigureRow& row : figure.rows) {
         text.rows.push_back(row.config.label);
         cells.emplace_back();
-        for (const FigureCell& cell : row.cells) cells.back().push_back(cell.image);
+        for (const FigureCell& cell : row.cells)
+            cells.back().push_back(toned(cell.image, config.picture.curve));
     }
     for (const FigureCell& cell : figure.rows.front().cells) text.columns.push_back(cell.label);
-    return make_sheet(cells, text, {config.picture.margin, config.picture.background.cast<float>().array()});
+    render::Color background = config.picture.background.cast<float>().array();
+    if (config.picture.curve == render::ToneCurve::Filmic) background = background.unaryExpr(&render::filmic);
+    SheetFade fade{config.picture.margin, background, kGap};
+    if (cells_end_in_background(config)) {
+        fade.gap = 0;
+    } else {
+        fade.margin = 0;
+    }
+    return make_sheet(cells, text, fade, figure.scale);
 }
 
 std::string cell_name(std::size_t row, std::size_t column) {
@@ -136,16 +183,18 @@ std::string cell_name(std::size_t row, std::size_t column) {
 
 void write_figure(const FigureConfig& config, const Figure& figure, const std::filesystem::path& folder) {
     make_folder(folder);
+    const render::PngOptions png{config.picture.curve, config.picture.bits};
     for (std::size_t i = 0; i < figure.rows.size(); ++i) {
         const FigureRow& row = figure.rows[i];
         for (std::size_t j = 0; j < row.cells.size(); ++j) {
             const render::Metadata about = metadata(config, figure, row, row.cells[j]);
             render::write_exr(folder / (cell_name(i, j) + ".exr"), row.cells[j].image, about);
-            render::write_png(folder / (cell_name(i, j) + ".png"), row.cells[j].image, about);
+            render::write_png(folder / (cell_name(i, j) + ".png"), row.cells[j].image, about, png);
         }
     }
     render::write_png(folder / "sheet.png", figure_sheet(config, figure),
-                      {{"Software", "automorph"}, {"config", config.file.filename().string()}});
+                      {{"Software", "automorph"}, {"config", config.file.filename().string()}},
+                      {render::ToneCurve::Srgb, config.picture.bits});
     write_text_file(folder / "metrics.json", metrics_json(config, figure));
 }
 

@@ -1,6 +1,11 @@
 #include "render/figure/subject.h"
 
+#include <algorithm>
+
 #include "render/camera/framing.h"
+#include "render/denoise/denoise.h"
+#include "render/figure/lighting.h"
+#include "render/film/color_map.h"
 #include "render/geometry/embree_scene.h"
 #include "render/integrator/render.h"
 
@@ -9,6 +14,29 @@ namespace {
 
 render::Color color(const Eigen::Vector3d& rgb) {
     return rgb.cast<float>().array();
+}
+
+render::Material material_of(const PictureConfig& picture, int width) {
+    render::Material material;
+    material.base_color = color(picture.albedo);
+    material.metallic = static_cast<float>(picture.material.metallic);
+    material.roughness = static_cast<float>(picture.material.roughness);
+    material.specular = static_cast<float>(picture.material.specular);
+    material.transmission = static_cast<float>(picture.material.transmission);
+    material.ior = static_cast<float>(picture.material.ior);
+    // A figure made smaller looks the same.
+    material.wire_width = static_cast<float>(picture.wireframe.width * width / picture.width);
+    material.wire_color = color(picture.wireframe.color);
+    return material;
+}
+
+void add_lens(const LensConfig& lens, const render::Bounds& bounds, render::Camera& camera) {
+    if (lens.radius == 0) return;
+    const Eigen::Vector3d forward = (camera.target - camera.position).normalized();
+    const double middle = (bounds.center() - camera.position).dot(forward);
+    constexpr double kNearest = 0.05;  // of that distance: the sharp plane stays before the lens
+    camera.lens_radius = lens.radius * middle;
+    camera.focus_distance = std::max(kNearest * middle, middle + lens.focus * bounds.radius());
 }
 
 }  // namespace
@@ -27,17 +55,27 @@ Shooting shooting_of(const PictureConfig& picture, const FigureOptions& options,
         framing.add(*V);
         bounds.add(*V);
     }
-    return {picture, options, framing.camera(), bounds, figure.width, figure.height, figure.spp};
+    render::Camera camera = framing.camera();
+    add_lens(picture.lens, bounds, camera);
+    return {picture,      options,       camera,     bounds,
+            figure.width, figure.height, figure.spp, load_sky(picture, camera)};
 }
 
 Subject::Subject(const Shooting& shooting, const Points& V, const Triangles& F)
     : shooting_(shooting), scene_({.embree_config = shooting.options.embree_config, .refit = false}) {
     render::MeshOptions surface;
     surface.normals = shooting.picture.normals;
-    surface.material.base_color = color(shooting.picture.albedo);
+    surface.material = material_of(shooting.picture, shooting.width);
     mesh_ = scene_.add_mesh(V, F, surface);
-    render::add_studio(scene_, shooting.camera, shooting.bounds,
-                       {color(shooting.picture.background), shooting.picture.ground});
+    add_light(scene_, shooting.picture, shooting.camera, shooting.bounds, shooting.sky);
+}
+
+void Subject::color(const Eigen::VectorXd& values, const ColorScale& scale) {
+    scene_.color_mesh(mesh_, render::viridis_colors(values, scale.low, scale.high));
+}
+
+void Subject::mark(const std::vector<int>& vertices) {
+    markers_.emplace(scene_, vertices, shooting_.picture.markers.radius * shooting_.bounds.radius());
 }
 
 FigureCell Subject::shoot(const Points& V, const std::function<void(double)>& progress) {
@@ -48,10 +86,13 @@ FigureCell Subject::shoot(const Points& V, const std::function<void(double)>& pr
     settings.seed = shooting_.picture.seed;
     settings.threads = shooting_.options.threads;
     settings.progress = progress;
+    const bool denoise = shooting_.picture.denoise || shooting_.options.denoise;
+    settings.layers = denoise;
     scene_.move_mesh(mesh_, V);
+    if (markers_) markers_->move(scene_, V);
     render::RenderResult result = render::render(scene_, shooting_.camera, settings);
     FigureCell cell;
-    cell.image = std::move(result.image);
+    cell.image = denoise ? render::denoise(result.image, *result.layers) : std::move(result.image);
     cell.seconds = result.wall_seconds;
     cell.rays = result.rays;
     cell.bad_samples = result.bad_samples;

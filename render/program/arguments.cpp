@@ -86,6 +86,7 @@ void add_figure(CLI::App& app, FigureArguments& arguments) {
     command->add_option("--scale", arguments.scale, "Scales the cells' width and height")
         ->type_name("X")
         ->check(CLI::Range(0.01, 100.0));
+    command->add_flag("--denoise", arguments.denoise, "Smooths the noise away, for previews with few paths");
     command->footer(kFigureExamples);
 }
 

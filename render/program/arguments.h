@@ -20,6 +20,7 @@ struct FigureArguments {
     std::optional<std::filesystem::path> out;  ///< folder; with several configs, one folder per config in it
     std::optional<int> spp;
     double scale = 1.0;
+    bool denoise = false;  ///< every cell, as a preview
 };
 
 struct MorphArguments {
