@@ -12,6 +12,8 @@
 #include "morph/shapes/head.h"
 #include "morph/shapes/shapes.h"
 #include "render/geometry/triangle_mesh.h"
+#include "render/image/image_file.h"
+#include "render/studio/studio.h"
 
 /// What a figure is made of, read from a YAML file. The keys of the file, their types, defaults and meaning
 /// are one table (config_keys.cpp); `automorph config --explain` prints it.
@@ -68,6 +70,61 @@ struct RowConfig {
     }
 };
 
+/// What a surface is made of beside its base colour, in the words of glTF 2.0 and of Blender's Principled
+/// BSDF; render/README.md has the mapping. The default is plain diffuse.
+struct MaterialConfig {
+    double metallic = 0, roughness = 0.5, specular = 0, transmission = 0, ior = 1.5;
+};
+
+/// Where the light comes from.
+struct LightConfig {
+    enum class Kind {
+        Studio,    ///< key, fill and an even sky
+        Gradient,  ///< a sky between three colours
+        Sky        ///< a latitude-longitude picture
+    };
+    Kind kind = Kind::Studio;
+    double strength = 1;                       ///< factor on all light
+    double rim = 0;                            ///< of Studio: light from behind, relative to the key
+    std::filesystem::path map;                 ///< of Sky: EXR or HDR
+    double rotation = 0;                       ///< of Sky: degrees about PictureConfig::up, to the left
+    Eigen::Vector3d zenith{0.75, 0.85, 1.1};   ///< of Gradient: linear radiance
+    Eigen::Vector3d horizon{0.9, 0.88, 0.85};  ///< likewise
+    Eigen::Vector3d ground{0.3, 0.28, 0.25};   ///< likewise, below the horizon
+    bool visible = false;                      ///< the camera sees the sky in place of the background
+};
+
+/// A thin lens, in proportion to the scene, so that it holds for any mesh.
+struct LensConfig {
+    double radius = 0;  ///< relative to the distance of the middle of the frames' box; 0: a pinhole
+    double focus = 0;  ///< the sharp plane: 0 through that middle, -1 one radius of the box nearer, 1 farther
+};
+
+struct WireframeConfig {
+    double width = 0;  ///< of the drawn edges, pixels of a cell of the config's width; 0: none
+    Eigen::Vector3d color{0.02, 0.02, 0.02};
+};
+
+/// What the colours of a morph's frames tell.
+enum class ColorField {
+    None,          ///< nothing: the albedo
+    Curvature,     ///< mean curvature of the frame
+    Displacement,  ///< how far each vertex has travelled from the source
+    Distortion     ///< how far triangles are stretched or shrunk against the source
+};
+
+/// Small spheres on the surface that go along with the morph.
+struct MarkersConfig {
+    enum class Kind {
+        None,
+        Features,  ///< on the source's curvature features that were matched
+        Spread     ///< on vertices of the source, as far from one another as can be
+    };
+    Kind kind = Kind::None;
+    int count = 24;         ///< of Spread
+    double radius = 0.015;  ///< relative to half the diagonal of the frames' box
+};
+
 /// How every cell is pictured; all cells of a figure share one camera.
 struct PictureConfig {
     int width = 480, height = 480;             ///< of one cell, pixels
@@ -77,10 +134,36 @@ struct PictureConfig {
     Eigen::Vector3d up{0, 0, 1};               ///< upwards in the picture, world frame
     double fov = 20;                           ///< vertical field of view, degrees
     double margin = 0.06;                      ///< free on each side, fraction of half the picture
-    Eigen::Vector3d albedo{0.72, 0.69, 0.64};  ///< diffuse reflectance, linear RGB
-    Eigen::Vector3d background{1, 1, 1};       ///< linear RGB; white merges with the sheet's paper
-    bool ground = true;                        ///< a floor that shows the shadow only
+    Eigen::Vector3d albedo{0.72, 0.69, 0.64};  ///< base colour: diffuse reflectance, linear RGB
+    MaterialConfig material;
+    LightConfig light;
+    LensConfig lens;
+    WireframeConfig wireframe;
+    Eigen::Vector3d background{1, 1, 1};  ///< linear RGB; white merges with the sheet's paper
+    render::Ground ground = render::Ground::Shadow;
     render::Normals normals = render::Normals::Smooth;
+    ColorField color = ColorField::None;
+    MarkersConfig markers;
+    bool denoise = false;                               ///< for previews
+    render::ToneCurve curve = render::ToneCurve::Srgb;  ///< of the PNG files; EXR are linear
+    int bits = 8;                                       ///< per channel of the PNG files
+
+    /// Whether cells end in the background, so that they may merge with one another and with the paper.
+    bool ends_in_background() const {
+        return !light.visible && (ground == render::Ground::None || ground == render::Ground::Shadow);
+    }
+};
+
+/// One column of Show::Looks: what the shape is made of.
+struct LookConfig {
+    std::string label;
+    PictureConfig picture;  ///< albedo, material, wireframe and normals count
+};
+
+/// One row of Show::Looks: where the shape stands.
+struct StageConfig {
+    std::string label;
+    PictureConfig picture;  ///< light, ground and background count
 };
 
 /// The films of a figure that shows morphs. They cost by frames x size^2 x spp; the defaults, about as much
@@ -101,6 +184,7 @@ enum class Show {
     Map,       ///< the source, and its map onto the disk or the sphere as a drawn triangulation
     Borders,   ///< the border insertion: both borders with each other's vertices
     Features,  ///< both shapes with their curvature features marked
+    Looks,     ///< the source in several materials, under several lights
 };
 
 /// A file that a config is made of.
@@ -124,7 +208,9 @@ struct FigureConfig {
     std::uint64_t seed = 1;                ///< of the registration
     PictureConfig picture;
     VideoConfig video;
-    std::filesystem::path output;  ///< folder for the pictures
+    std::vector<LookConfig> looks;    ///< of Show::Looks: the columns
+    std::vector<StageConfig> stages;  ///< likewise: the rows
+    std::filesystem::path output;     ///< folder for the pictures
 };
 
 /// Reads and checks a config. Relative paths in it are relative to the folder of the file they stand in; the

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+
+#include "render/figure/picture_keys.h"
 
 namespace automorph::config {
 namespace {
 
-constexpr Range kAny{-1e12, 1e12};  // keeps coordinates far from overflow, no more
 constexpr Range kPositive{1e-9, 1e12};
-constexpr Range kSeed{0, 1.8446744073709551e19};  // whatever 64 bits hold
 
 constexpr std::array kShapes{Named<MeshConfig::Shape>{"ellipsoid", MeshConfig::Shape::Ellipsoid},
                              Named<MeshConfig::Shape>{"star", MeshConfig::Shape::Star},
@@ -49,16 +50,6 @@ void check_mesh(const MeshConfig& mesh, const YAML::Node& node, const Place& pla
         place.fail(mark_of(node, "inner"), fmt::format("{}: found {}, expected at most 'outer', which is {}",
                                                        place.at("inner"), mesh.star.inner, mesh.star.outer));
     }
-}
-
-/// A key of a part stands beside those of the whole: `shape: star, arms: 6`.
-template <class T, class U>
-Key<T> of(U T::*part, Key<U> inner) {
-    Key<T> key{inner.info, {}, {}};
-    key.read = [part, read = inner.read](T& into, const YAML::Node& node, const Place& place) {
-        read(into.*part, node, place);
-    };
-    return key;
 }
 
 Key<MeshConfig> of_star(Key<StarParameters> inner) {
@@ -203,38 +194,22 @@ Section<RowConfig> row_section() {
     return table;
 }
 
-Section<PictureConfig> picture_section() {
-    using P = PictureConfig;
-    Section<P> table;
-    table.keys = {
-        value("width", &P::width, {16, 16384}, "of one cell, pixels"),
-        value("height", &P::height, {16, 16384}, "of one cell, pixels"),
-        value("spp", &P::spp, {1, 65536}, "light paths per pixel; noise falls with its square root"),
-        value("seed", &P::seed, kSeed, "of the light paths"),
-        vector3("view", &P::view, kAny,
-                "direction the camera looks in; the distance follows from the frames"),
-        vector3("up", &P::up, kAny, "direction that is upwards in the picture"),
-        value("fov", &P::fov, {1, 120}, "vertical field of view, degrees"),
-        value("margin", &P::margin, {0, 0.9},
-              "free border on each side of a cell, as a fraction of half the cell"),
-        vector3("albedo", &P::albedo, {0, 1}, "diffuse reflectance, linear red, green, blue"),
-        vector3("background", &P::background, {0, 1}, "linear red, green, blue; white merges with the sheet"),
-        flag("ground", &P::ground, "a floor below all frames that shows their shadow only"),
-        choice("normals", &P::normals, kNormals, "shading normals: interpolated, or one per triangle"),
+/// Colours and markers follow a morph.
+void check_morph_only(const FigureConfig& figure, const YAML::Node& node, const Place& place) {
+    const PictureConfig& picture = figure.picture;
+    const auto refuse = [&](const char* name, const std::string& why) {
+        place.fail(mark_of(node["picture"], name), fmt::format("picture.{} {}", name, why));
     };
-    table.check = [](const P& picture, const YAML::Node& node, const Place& place) {
-        if (picture.view.norm() == 0)
-            place.fail(mark_of(node, "view"), place.at("view") + ": found a vector of length 0");
-        // A degree off the view direction is enough to say what is upwards.
-        constexpr double kSineOfADegree = 0.017;
-        if (picture.view.cross(picture.up).norm() <=
-            kSineOfADegree * picture.view.norm() * picture.up.norm()) {
-            place.fail(mark_of(node, node["up"] ? "up" : "view"),
-                       place.at("up") +
-                           ": found a vector parallel to 'view' or of length 0, expected one across it");
-        }
-    };
-    return table;
+    if (figure.show != Show::Morph) {
+        const char* why = "has a meaning only beside 'show: morph'";
+        if (picture.color != ColorField::None) refuse("color", why);
+        if (picture.markers.kind != MarkersConfig::Kind::None) refuse("markers", why);
+    } else if (picture.markers.kind == MarkersConfig::Kind::Features) {
+        const bool any = std::any_of(figure.rows.begin(), figure.rows.end(), [](const RowConfig& row) {
+            return row.alignment == Alignment::Features;
+        });
+        if (!any) refuse("markers", "marks features, but no row has 'alignment: features'");
+    }
 }
 
 Section<VideoConfig> video_section() {
@@ -263,8 +238,10 @@ void check_figure(const FigureConfig& figure, const YAML::Node& node, const Plac
         if (!node[name] && wanted)
             place.fail(node.Mark(), fmt::format("'{}' is missing in the config", name));
     };
-    const bool pair = figure.show != Show::Map && figure.show != Show::Shape;
+    const bool pair = figure.show != Show::Map && figure.show != Show::Shape && figure.show != Show::Looks;
     expect("target", pair);
+    expect("looks", figure.show == Show::Looks);
+    check_morph_only(figure, node, place);
     expect("rows", figure.show == Show::Morph || figure.show == Show::Features);
     if (figure.show != Show::Morph) expect("video", false);
     if (figure.video.turntable_row > static_cast<int>(figure.rows.size())) {
@@ -281,15 +258,29 @@ void check_figure(const FigureConfig& figure, const YAML::Node& node, const Plac
     }
 }
 
+/// A list of pictures that begin as the config's `picture`, which stands before them in the table.
+template <class U>
+Key<FigureConfig> pictured_list(const char* name, std::vector<U> FigureConfig::*member,
+                                const Section<U>& table, const char* meaning) {
+    Key<FigureConfig> key = list(name, member, table, meaning);
+    key.read = [member, table, info = key.info](FigureConfig& into, const YAML::Node& node,
+                                                const Place& place) {
+        read_list(into.*member, node, table, info, place, U{"", into.picture});
+    };
+    return key;
+}
+
 Section<FigureConfig> make_figure_section() {
     using C = FigureConfig;
     Section<C> table;
     table.keys = {
         text("title", &C::title, "stands above the sheet"),
-        choice("show", &C::show, kShows,
-               "what the cells show: frames of the morph; the source from several sides; the source and its "
-               "map as a drawn triangulation; "
-               "both borders with the vertices inserted; both shapes with their curvature features marked"),
+        choice(
+            "show", &C::show, kShows,
+            "what the cells show: frames of the morph; the source from several sides; the source and its "
+            "map as a drawn triangulation; "
+            "both borders with the vertices inserted; both shapes with their curvature features marked; the "
+            "source in several materials under several lights"),
         required(
             section("source", &C::source, mesh_section(), "the mesh at alpha = 0: a file, or a mapping")),
         section("target", &C::target, mesh_section(),
@@ -308,6 +299,10 @@ Section<FigureConfig> make_figure_section() {
             "extends", &C::extends,
             "another config whose keys this one takes over: mappings are merged key by key, lists and values "
             "replaced"),
+        pictured_list("looks", &C::looks, look_section(),
+                      "the columns of `show: looks`: materials; what is not said is that of `picture`"),
+        only_with("show: looks", pictured_list("stages", &C::stages, stage_section(),
+                                               "the rows: lights; what is not said is that of `picture`")),
         path("output", &C::output,
              "folder for the results; out/<config's name> in the working directory otherwise"),
     };

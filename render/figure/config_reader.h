@@ -99,6 +99,8 @@ void describe(const Section<T>& section, const std::string& prefix, std::vector<
 struct Range {
     double least, most;
 };
+inline constexpr Range kAny{-1e12, 1e12};                ///< keeps coordinates far from overflow, no more
+inline constexpr Range kSeed{0, 1.8446744073709551e19};  ///< whatever 64 bits hold
 
 template <class T>
 Key<T> blank(const char* name, ConfigKey::Type type, const char* meaning) {
@@ -197,7 +199,7 @@ Key<T> choice(const char* name, M T::*member, const std::array<Named<M>, N>& cho
     Key<T> key = blank<T>(name, ConfigKey::Type::Choice, meaning);
     for (const Named<M>& each : choices) {
         key.info.choices.emplace_back(each.name);
-        if (each.value == T{}.*member) key.info.fallback = each.name;
+        if (each.value == T{}.*member && key.info.fallback.empty()) key.info.fallback = each.name;
     }
     key.read = [member, choices, info = key.info](T& into, const YAML::Node& node, const Place& place) {
         into.*member = choices[read_choice(node, info, place)].value;
@@ -218,23 +220,39 @@ Key<T> section(const char* name, U T::*member, const Section<U>& table, const ch
     return key;
 }
 
-/// A non-empty list of mappings.
+/// A non-empty list of mappings. @param blank  what each of its elements is before it is read
+template <class U>
+void read_list(std::vector<U>& into, const YAML::Node& node, const Section<U>& table, const ConfigKey& key,
+               const Place& place, const U& blank) {
+    if (!node.IsSequence() || node.size() == 0) {
+        place.fail(node.Mark(),
+                   place.at(key.path) + ": expected a list of at least one mapping ('- key: value')");
+    }
+    into.clear();
+    for (std::size_t i = 0; i < node.size(); ++i) {
+        const Place inner = place.inner(key.path + "[" + std::to_string(i) + "]");
+        read_section(into.emplace_back(blank), node[i], table, inner);
+    }
+}
+
 template <class T, class U>
 Key<T> list(const char* name, std::vector<U> T::*member, const Section<U>& table, const char* meaning) {
     Key<T> key = blank<T>(name, ConfigKey::Type::List, meaning);
     key.read = [member, table, info = key.info](T& into, const YAML::Node& node, const Place& place) {
-        if (!node.IsSequence() || node.size() == 0) {
-            place.fail(node.Mark(),
-                       place.at(info.path) + ": expected a list of at least one mapping ('- key: value')");
-        }
-        (into.*member).clear();
-        for (std::size_t i = 0; i < node.size(); ++i) {
-            const Place inner = place.inner(info.path + "[" + std::to_string(i) + "]");
-            read_section((into.*member).emplace_back(), node[i], table, inner);
-        }
+        read_list(into.*member, node, table, info, place, U{});
     };
     key.describe_children = [table](std::vector<ConfigKey>& into, const std::string& prefix) {
         describe(table, prefix + "[].", into);
+    };
+    return key;
+}
+
+/// A key of a part stands beside those of the whole: `shape: star, arms: 6`.
+template <class T, class U>
+Key<T> of(U T::*part, Key<U> inner) {
+    Key<T> key{inner.info, {}, inner.describe_children};
+    key.read = [part, read = inner.read](T& into, const YAML::Node& node, const Place& place) {
+        read(into.*part, node, place);
     };
     return key;
 }

@@ -10,6 +10,7 @@
 #include "morph/mesh/errors.h"
 #include "render/figure/drawn_figure.h"
 #include "render/figure/frames.h"
+#include "render/figure/looks.h"
 #include "render/figure/mesh_source.h"
 #include "render/figure/page.h"
 #include "render/figure/sheet.h"
@@ -39,8 +40,17 @@ void check_frames_of(FigureRow& row, const Report& morph_report) {
                         report.notes.end());
 }
 
+/// What a row shows.
+struct RowFrames {
+    FrameSequence sequence;
+    std::vector<int> marked;               ///< vertices with a sphere
+    std::vector<Eigen::VectorXd> numbers;  ///< of each frame, if it is coloured by them
+};
+
 /// Computes each different morph once, of rows that are not selected too, as the camera is theirs as well.
-void compute_rows(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
+/// Returns what each row shows.
+std::vector<RowFrames> compute_rows(const FigureConfig& config, const FigureOptions& options,
+                                    Figure& figure) {
     const Stopwatch loading;
     tell(options.progress, "meshes", 0);
     const InputMesh source = make_mesh(config.source, "source"), target = make_mesh(config.target, "target");
@@ -71,6 +81,17 @@ void compute_rows(const FigureConfig& config, const FigureOptions& options, Figu
     }
     for (const FigureRow& row : figure.rows) figure.motions.push_back(row.motion);
     figure.morph_seconds = morphing.seconds();
+    std::vector<RowFrames> rows;
+    for (const FigureRow& row : figure.rows) {
+        const Morph& morph = *row.motion.morph;
+        RowFrames& shown = rows.emplace_back();
+        shown.sequence = frames_of(morph, config.alphas, row.motion.scheme);
+        shown.marked = marked_vertices(config.picture.markers, source.mesh.V, morph.endpoints().a,
+                                       morph.report().features);
+        if (config.picture.color != ColorField::None)
+            shown.numbers = color_field(config.picture.color, shown.sequence);
+    }
+    return rows;
 }
 
 void check_rows(const FigureOptions& options, Figure& figure) {
@@ -95,15 +116,19 @@ void check_rows(const FigureOptions& options, Figure& figure) {
     figure.check_seconds = checking.seconds();
 }
 
-void render_row(const FigureConfig& config, const Shooting& shooting, const FrameSequence& sequence,
+/// @param scale  of the numbers, if there are any
+void render_row(const Shooting& shooting, const RowFrames& frames, const std::optional<ColorScale>& scale,
                 FigureRow& row) {
+    const FrameSequence& sequence = frames.sequence;
     const std::string task = fmt::format("pictures of row {} ({})", row.number + 1, row.config.label);
     const FigureOptions& options = shooting.options;
     Subject subject(shooting, sequence.frames.front(), sequence.triangles);
+    subject.mark(frames.marked);
     double done = 0, count = 0;
-    for (std::size_t i = 0; i < config.alphas.size(); ++i) count += options.cells.has(i);
+    for (std::size_t i = 0; i < sequence.frames.size(); ++i) count += options.cells.has(i);
     for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
         if (!options.cells.has(i)) continue;
+        if (scale) subject.color(frames.numbers[i], *scale);
         FigureCell cell = subject.shoot(sequence.frames[i], [&](double fraction) {
             // The row is done when the call returns with its last cell, not before.
             tell(options.progress, task, std::min((done + fraction) / count, 0.999));
@@ -118,14 +143,14 @@ void render_row(const FigureConfig& config, const Shooting& shooting, const Fram
 }
 
 void render_morphs(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
-    compute_rows(config, options, figure);
-    std::vector<FrameSequence> sequences;
+    const std::vector<RowFrames> rows = compute_rows(config, options, figure);
     std::vector<const Points*> frames;
-    for (const FigureRow& row : figure.rows)
-        sequences.push_back(frames_of(*row.motion.morph, config.alphas, row.motion.scheme));
-    for (const FrameSequence& sequence : sequences) {
-        for (const Points& V : sequence.frames) frames.push_back(&V);
+    std::vector<std::vector<Eigen::VectorXd>> numbers;
+    for (const RowFrames& row : rows) {
+        for (const Points& V : row.sequence.frames) frames.push_back(&V);
+        numbers.push_back(row.numbers);
     }
+    if (config.picture.color != ColorField::None) figure.scale = color_scale(config.picture.color, numbers);
     const Shooting shooting =
         shooting_of(config.picture, options, {figure.width, figure.height, figure.spp}, frames);
     figure.camera = shooting.camera;
@@ -135,17 +160,18 @@ void render_morphs(const FigureConfig& config, const FigureOptions& options, Fig
     }
     figure.rows = std::move(selected);
     check_rows(options, figure);
-    for (FigureRow& row : figure.rows) render_row(config, shooting, sequences[row.number], row);
+    for (FigureRow& row : figure.rows) render_row(shooting, rows[row.number], figure.scale, row);
 }
 
 /// How many rows and columns a figure has before anything is selected.
 std::size_t row_count(const FigureConfig& config) {
-    return std::max<std::size_t>(1, config.rows.size());
+    return std::max<std::size_t>(1, config.show == Show::Looks ? config.stages.size() : config.rows.size());
 }
 
 std::size_t column_count(const FigureConfig& config) {
     if (config.show == Show::Morph) return config.alphas.size();
     if (config.show == Show::Shape) return config.turns.size();
+    if (config.show == Show::Looks) return config.looks.size();
     return std::numeric_limits<std::size_t>::max();  // told by those who draw them
 }
 
@@ -153,6 +179,23 @@ render::Metadata sheet_metadata(const FigureConfig& config) {
     return {{"Software", "automorph " AUTOMORPH_VERSION},
             {"config", config.file.filename().string()},
             {"config_hash", config_hash(config)}};
+}
+
+/// Space between the cells of a sheet that do not merge, relative to their width.
+constexpr double kGap = 0.02;
+
+bool cells_end_in_background(const FigureConfig& config) {
+    if (config.show != Show::Looks || config.stages.empty()) return config.picture.ends_in_background();
+    return std::all_of(config.stages.begin(), config.stages.end(), [&](const StageConfig& stage) {
+        return stage.picture.ends_in_background() && stage.picture.background == config.picture.background;
+    });
+}
+
+/// What the sheet, written with the plain curve, shows as the cells' own files do.
+render::Image toned(render::Image image, render::ToneCurve curve) {
+    if (curve == render::ToneCurve::Filmic)
+        std::transform(image.pixels.begin(), image.pixels.end(), image.pixels.begin(), render::filmic);
+    return image;
 }
 
 render::Metadata metadata(const FigureConfig& config, const Figure& figure, const FigureRow& row,
@@ -181,6 +224,8 @@ Figure render_figure(const FigureConfig& config, const FigureOptions& options) {
     const Stopwatch whole;
     if (config.show == Show::Morph) {
         render_morphs(config, options, figure);
+    } else if (config.show == Show::Looks) {
+        picture_looks(config, options, figure);
     } else {
         draw_figure(config, options, figure);
     }
@@ -196,10 +241,19 @@ render::Image figure_sheet(const FigureConfig& config, const Figure& figure) {
     for (const FigureRow& row : figure.rows) {
         text.rows.push_back(row.config.label);
         cells.emplace_back();
-        for (const FigureCell& cell : row.cells) cells.back().push_back(cell.image);
+        for (const FigureCell& cell : row.cells)
+            cells.back().push_back(toned(cell.image, config.picture.curve));
     }
     for (const FigureCell& cell : figure.rows.front().cells) text.columns.push_back(cell.label);
-    return make_sheet(cells, text, {config.picture.margin, config.picture.background.cast<float>().array()});
+    render::Color background = config.picture.background.cast<float>().array();
+    if (config.picture.curve == render::ToneCurve::Filmic) background = background.unaryExpr(&render::filmic);
+    SheetFade fade{config.picture.margin, background, kGap};
+    if (cells_end_in_background(config)) {
+        fade.gap = 0;
+    } else {
+        fade.margin = 0;
+    }
+    return make_sheet(cells, text, fade, figure.scale);
 }
 
 std::string cell_name(std::size_t row, std::size_t column) {
@@ -208,17 +262,19 @@ std::string cell_name(std::size_t row, std::size_t column) {
 
 void write_figure(const FigureConfig& config, const Figure& figure, const std::filesystem::path& folder) {
     make_folder(folder);
+    const render::PngOptions png{config.picture.curve, config.picture.bits};
     for (const FigureRow& row : figure.rows) {
         for (const FigureCell& cell : row.cells) {
             render::Metadata about = metadata(config, figure, row, cell);
             const std::string name = cell_name(row.number, cell.column);
             about["color_space"] = "linear, primaries of Rec. 709";
             render::write_exr(folder / (name + ".exr"), cell.image, about);
-            about["color_space"] = "sRGB";
-            render::write_png(folder / (name + ".png"), cell.image, about);
+            about["color_space"] = png.curve == render::ToneCurve::Filmic ? "sRGB, filmic" : "sRGB";
+            render::write_png(folder / (name + ".png"), cell.image, about, png);
         }
     }
-    render::write_png(folder / "sheet.png", figure_sheet(config, figure), sheet_metadata(config));
+    render::write_png(folder / "sheet.png", figure_sheet(config, figure), sheet_metadata(config),
+                      {render::ToneCurve::Srgb, config.picture.bits});
     write_text_file(folder / "metrics.json", metrics_json(config, figure));
     write_text_file(folder / "index.html", page_html(config, figure));
 }

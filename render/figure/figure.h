@@ -8,6 +8,7 @@
 
 #include "morph/report.h"
 #include "render/camera/camera.h"
+#include "render/figure/color_field.h"
 #include "render/figure/config.h"
 #include "render/figure/progress.h"
 #include "render/figure/selection.h"
@@ -21,6 +22,7 @@ struct FigureOptions {
     std::optional<int> spp;     ///< instead of the config's, >= 1
     double scale = 1.0;         ///< of the cells' width and height, > 0
     int threads = 0;            ///< of the path tracer; 0: all
+    bool denoise = false;       ///< every cell, as `picture.denoise` does
     std::string embree_config;  ///< "isa=sse4.2" makes the pictures the same on every x86-64 machine
     Selection rows, cells;      ///< those to picture; the camera stays that of the whole figure
     Selection frames;           ///< of the videos
@@ -70,10 +72,11 @@ struct FigureRow {
 struct Figure {
     std::vector<Report> morphs;  ///< one per different set of options; rows share them
     std::vector<FigureRow> rows;
-    std::vector<Motion> motions;    ///< of all rows, selected or not
-    std::optional<Clip> turntable;  ///< without stills
-    std::string no_videos;          ///< why there are none; empty otherwise
-    render::Camera camera;          ///< of all cells
+    std::vector<Motion> motions;      ///< of all rows, selected or not
+    std::optional<Clip> turntable;    ///< without stills
+    std::string no_videos;            ///< why there are none; empty otherwise
+    render::Camera camera;            ///< of all cells
+    std::optional<ColorScale> scale;  ///< of `picture.color`, the same in all cells
     int width = 0, height = 0, spp = 0;
     double load_seconds = 0, morph_seconds = 0, check_seconds = 0, render_seconds = 0, video_seconds = 0;
 };

@@ -11,6 +11,7 @@ struct FrameSequence {
     Triangles triangles;         ///< #F x 3
     std::vector<double> alphas;  ///< ascending, in [0, 1]
     std::vector<Points> frames;  ///< per alpha: #V x 3, world frame
+    Points source;               ///< the frame at alpha = 0
 };
 
 /// @pre every alpha is in [0, 1]

@@ -31,14 +31,34 @@ inline constexpr std::array kDomains{Named<Domain>{"auto", Domain::Auto}, Named<
                                      Named<Domain>{"cut", Domain::Cut}};
 inline constexpr std::array kFeatureTargets{Named<FeatureTargets>{"vertices", FeatureTargets::Vertices},
                                             Named<FeatureTargets>{"candidates", FeatureTargets::Candidates}};
-inline constexpr std::array kShows{Named<Show>{"morph", Show::Morph}, Named<Show>{"shape", Show::Shape},
-                                   Named<Show>{"map", Show::Map}, Named<Show>{"borders", Show::Borders},
-                                   Named<Show>{"features", Show::Features}};
 inline constexpr std::array kQualities{Named<Quality>{"draft", Quality::Draft},
                                        Named<Quality>{"normal", Quality::Normal},
                                        Named<Quality>{"final", Quality::Final}};
+inline constexpr std::array kShows{
+    Named<Show>{"morph", Show::Morph},       Named<Show>{"shape", Show::Shape},
+    Named<Show>{"map", Show::Map},           Named<Show>{"borders", Show::Borders},
+    Named<Show>{"features", Show::Features}, Named<Show>{"looks", Show::Looks}};
 inline constexpr std::array kNormals{Named<render::Normals>{"smooth", render::Normals::Smooth},
                                      Named<render::Normals>{"flat", render::Normals::Flat}};
+inline constexpr std::array kGrounds{Named<render::Ground>{"none", render::Ground::None},
+                                     Named<render::Ground>{"shadow", render::Ground::Shadow},
+                                     Named<render::Ground>{"plain", render::Ground::Plain},
+                                     Named<render::Ground>{"checker", render::Ground::Checker},
+                                     Named<render::Ground>{"true", render::Ground::Shadow},
+                                     Named<render::Ground>{"false", render::Ground::None}};
+inline constexpr std::array kLights{Named<LightConfig::Kind>{"studio", LightConfig::Kind::Studio},
+                                    Named<LightConfig::Kind>{"gradient", LightConfig::Kind::Gradient},
+                                    Named<LightConfig::Kind>{"sky", LightConfig::Kind::Sky}};
+inline constexpr std::array kToneCurves{Named<render::ToneCurve>{"srgb", render::ToneCurve::Srgb},
+                                        Named<render::ToneCurve>{"filmic", render::ToneCurve::Filmic}};
+inline constexpr std::array kColorFields{Named<ColorField>{"none", ColorField::None},
+                                         Named<ColorField>{"curvature", ColorField::Curvature},
+                                         Named<ColorField>{"displacement", ColorField::Displacement},
+                                         Named<ColorField>{"distortion", ColorField::Distortion}};
+inline constexpr std::array kMarkers{Named<MarkersConfig::Kind>{"none", MarkersConfig::Kind::None},
+                                     Named<MarkersConfig::Kind>{"features", MarkersConfig::Kind::Features},
+                                     Named<MarkersConfig::Kind>{"spread", MarkersConfig::Kind::Spread}};
+inline constexpr std::array kBits{Named<int>{"8", 8}, Named<int>{"16", 16}};
 
 inline constexpr std::array kHeadPresets{
     Named<HeadPreset>{"neutral", HeadPreset::Neutral},      Named<HeadPreset>{"asian", HeadPreset::Asian},

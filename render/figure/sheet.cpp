@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "render/figure/legend.h"
 #include "render/image/text.h"
 
 namespace automorph {
@@ -28,7 +29,12 @@ constexpr int kSmallestText = 7;       // pixels: below, nothing can be read
 struct Layout {
     int cell_width, cell_height, margin, label_size, title_size;
     int left, top;  ///< of the first cell
+    int gap;        ///< between cells
+    int legend;     ///< top of the legend
     int width, height;
+
+    int x(std::size_t column) const { return left + static_cast<int>(column) * (cell_width + gap); }
+    int y(std::size_t row) const { return top + static_cast<int>(row) * (cell_height + gap); }
 };
 
 int scaled(double factor, int size) {
@@ -71,7 +77,7 @@ int text_unit(const std::vector<std::vector<Image>>& cells) {
 }
 
 Layout lay_out(const std::vector<std::vector<Image>>& cells, const SheetText& text,
-               const std::vector<std::vector<std::string>>& row_lines) {
+               const std::vector<std::vector<std::string>>& row_lines, double gap, const Image& legend) {
     Layout layout{};
     layout.cell_width = cells.front().front().width;
     layout.cell_height = cells.front().front().height;
@@ -87,9 +93,12 @@ Layout lay_out(const std::vector<std::vector<Image>>& cells, const SheetText& te
     layout.left = layout.margin + (label_width > 0 ? label_width + layout.margin : 0);
     layout.top = layout.margin + scaled(kLineHeight, layout.label_size);
     if (!text.title.empty()) layout.top += scaled(kLineHeight, layout.title_size) + layout.margin;
-    const int columns = static_cast<int>(cells.front().size()), rows = static_cast<int>(cells.size());
-    layout.width = layout.left + columns * layout.cell_width + layout.margin;
-    layout.height = layout.top + rows * layout.cell_height + layout.margin;
+    layout.gap = scaled(gap, layout.cell_width);
+    layout.width = layout.x(cells.front().size() - 1) + layout.cell_width + layout.margin;
+    layout.height = layout.y(cells.size() - 1) + layout.cell_height + layout.margin;
+    layout.legend = layout.height;
+    if (legend.height > 0) layout.height += legend.height + layout.margin;
+    layout.width = std::max(layout.width, layout.left + legend.width + layout.margin);
     const int title_width = text.title.empty() ? 0 : text_width(text.title, layout.title_size);
     layout.width = std::max(layout.width, title_width + 2 * layout.margin);
     return layout;
@@ -107,14 +116,14 @@ void draw_labels(Image& sheet, const Layout& layout, const SheetText& text,
     style.size = layout.label_size;
     const int below = layout.top - scaled(kLineHeight - 1, layout.label_size);
     for (std::size_t column = 0; column < text.columns.size(); ++column) {
-        const int x = layout.left + static_cast<int>(column) * layout.cell_width + layout.cell_width / 2;
+        const int x = layout.x(column) + layout.cell_width / 2;
         render::draw_text(sheet, x, below, text.columns[column], style);
     }
     style.horizontal = HorizontalAlign::Left;
     const int line_height = scaled(kLineHeight, layout.label_size);
     for (std::size_t row = 0; row < row_lines.size(); ++row) {
         const int block = static_cast<int>(row_lines[row].size() - 1) * line_height;
-        int y = layout.top + static_cast<int>(row) * layout.cell_height + layout.cell_height / 2 - block / 2 +
+        int y = layout.y(row) + layout.cell_height / 2 - block / 2 +
                 layout.label_size / 3;  // a third of the size: half the height of small letters, about
         for (const std::string& line : row_lines[row]) {
             render::draw_text(sheet, layout.margin, y, line, style);
@@ -125,7 +134,8 @@ void draw_labels(Image& sheet, const Layout& layout, const SheetText& text,
 
 }  // namespace
 
-Image make_sheet(const std::vector<std::vector<Image>>& cells, const SheetText& text, const SheetFade& fade) {
+Image make_sheet(const std::vector<std::vector<Image>>& cells, const SheetText& text, const SheetFade& fade,
+                 const std::optional<ColorScale>& scale) {
     assert(!cells.empty() && !cells.front().empty());
     assert(text.rows.size() == cells.size() && text.columns.size() == cells.front().size());
     const int unit = text_unit(cells);
@@ -135,14 +145,18 @@ Image make_sheet(const std::vector<std::vector<Image>>& cells, const SheetText& 
         row_lines.push_back(wrap(label, scaled(kLabelColumn, unit),
                                  [&](const std::string& line) { return text_width(line, label_size); }));
     }
-    const Layout layout = lay_out(cells, text, row_lines);
+    constexpr double kLegend = 1.4;  // length of the bar, relative to what text is in proportion to
+    const Image legend = scale ? make_legend(*scale, scaled(kLegend, unit), label_size) : Image(0, 0);
+    const Layout layout = lay_out(cells, text, row_lines, fade.gap, legend);
     Image sheet(layout.width, layout.height, 3, 1.0f);
     for (std::size_t row = 0; row < cells.size(); ++row) {
         for (std::size_t column = 0; column < cells[row].size(); ++column) {
-            paste(cells[row][column], sheet, layout.left + static_cast<int>(column) * layout.cell_width,
-                  layout.top + static_cast<int>(row) * layout.cell_height, fade);
+            paste(cells[row][column], sheet, layout.x(column), layout.y(row), fade);
         }
     }
+    const int cells_end = layout.x(cells.front().size() - 1) + layout.cell_width;
+    paste(legend, sheet, std::max(layout.left, (layout.left + cells_end - legend.width) / 2), layout.legend,
+          {});
     draw_labels(sheet, layout, text, row_lines);
     return sheet;
 }

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "render/figure/color_field.h"
 #include "render/film/image.h"
 #include "render/math/vec.h"
 
@@ -21,14 +23,16 @@ struct SheetFade {
     double margin =
         0;  ///< the faded border on each side, as a fraction of half the cell; no shape reaches there
     render::Color background{1.0f, 1.0f, 1.0f};  ///< linear
+    double gap = 0;  ///< white between cells that do not merge, as a fraction of their width
 };
 
-/// Lays the cells out on white paper, edge to edge, with a title and labels in proportion to the cells.
+/// Lays the cells out on white paper, edge to edge or with a gap, with a title and labels in proportion to
+/// the cells, and below them, if they are coloured by numbers, the legend.
 /// @param cells  rows of equally many pictures of one size, three channels
 /// @throws IoError if the font is missing
 /// @pre   at least one cell; one label per row and column
 render::Image make_sheet(const std::vector<std::vector<render::Image>>& cells, const SheetText& text,
-                         const SheetFade& fade = {});
+                         const SheetFade& fade = {}, const std::optional<ColorScale>& scale = {});
 
 /// "0", "1/4", "2/3": the number as a fraction where a small one equals it to 1e-12, else a decimal.
 std::string fraction_text(double value);

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "render/denoise/denoise.h"
+#include "render/figure/lighting.h"
 #include "render/figure/mesh_source.h"
+#include "render/film/color_map.h"
 #include "render/geometry/embree_scene.h"
 #include "render/integrator/render.h"
 
@@ -23,6 +26,29 @@ render::FramingOptions framing_options(const PictureConfig& picture, const Film&
     return options;
 }
 
+render::Material material_of(const PictureConfig& picture, int width) {
+    render::Material material;
+    material.base_color = color(picture.albedo);
+    material.metallic = static_cast<float>(picture.material.metallic);
+    material.roughness = static_cast<float>(picture.material.roughness);
+    material.specular = static_cast<float>(picture.material.specular);
+    material.transmission = static_cast<float>(picture.material.transmission);
+    material.ior = static_cast<float>(picture.material.ior);
+    // A figure made smaller looks the same.
+    material.wire_width = static_cast<float>(picture.wireframe.width * width / picture.width);
+    material.wire_color = color(picture.wireframe.color);
+    return material;
+}
+
+void add_lens(const LensConfig& lens, const render::Bounds& bounds, render::Camera& camera) {
+    if (lens.radius == 0) return;
+    const Eigen::Vector3d forward = (camera.target - camera.position).normalized();
+    const double middle = (bounds.center() - camera.position).dot(forward);
+    constexpr double kNearest = 0.05;  // of that distance: the sharp plane stays before the lens
+    camera.lens_radius = lens.radius * middle;
+    camera.focus_distance = std::max(kNearest * middle, middle + lens.focus * bounds.radius());
+}
+
 }  // namespace
 
 ShootingPlan::ShootingPlan(const PictureConfig& picture, const FigureOptions& options, const Film& film)
@@ -34,7 +60,16 @@ void ShootingPlan::add(const Points& V) {
 }
 
 Shooting ShootingPlan::shooting() const {
-    return {picture_, options_, framing_.camera(), bounds_, film_.width, film_.height, film_.spp};
+    render::Camera camera = framing_.camera();
+    add_lens(picture_.lens, bounds_, camera);
+    return {.picture = picture_,
+            .options = options_,
+            .camera = camera,
+            .bounds = bounds_,
+            .width = film_.width,
+            .height = film_.height,
+            .spp = film_.spp,
+            .sky = load_sky(picture_, camera)};
 }
 
 Shooting shooting_of(const PictureConfig& picture, const FigureOptions& options, const Film& film,
@@ -54,10 +89,17 @@ Subject::Subject(const Shooting& shooting, const Points& V, const Triangles& F)
     : shooting_(shooting), scene_({.embree_config = shooting.options.embree_config, .refit = false}) {
     render::MeshOptions surface;
     surface.normals = shooting.picture.normals;
-    surface.material.base_color = color(shooting.picture.albedo);
+    surface.material = material_of(shooting.picture, shooting.width);
     mesh_ = scene_.add_mesh(V, F, surface);
-    render::add_studio(scene_, shooting.camera, shooting.bounds,
-                       {color(shooting.picture.background), shooting.picture.ground});
+    add_light(scene_, shooting.picture, shooting.camera, shooting.bounds, shooting.sky);
+}
+
+void Subject::color(const Eigen::VectorXd& values, const ColorScale& scale) {
+    scene_.color_mesh(mesh_, render::viridis_colors(values, scale.low, scale.high));
+}
+
+void Subject::mark(const std::vector<int>& vertices) {
+    markers_.emplace(scene_, vertices, shooting_.picture.markers.radius * shooting_.bounds.radius());
 }
 
 FigureCell Subject::shoot(const Points& V, const std::function<void(double)>& progress, std::uint32_t frame) {
@@ -71,10 +113,13 @@ FigureCell Subject::shoot(const Points& V, const std::function<void(double)>& pr
     settings.pilot = std::min(settings.pilot, std::max(2, shooting_.spp / 4));
     settings.threads = shooting_.options.threads;
     settings.progress = progress;
+    const bool denoise = shooting_.picture.denoise || shooting_.options.denoise;
+    settings.layers = denoise;
     scene_.move_mesh(mesh_, V);
+    if (markers_) markers_->move(scene_, V);
     render::RenderResult result = render::render(scene_, shooting_.camera, settings);
     FigureCell cell;
-    cell.image = std::move(result.image);
+    cell.image = denoise ? render::denoise(result.image, *result.layers) : std::move(result.image);
     cell.seconds = result.wall_seconds;
     cell.rays = result.rays;
     cell.bad_samples = result.bad_samples;

@@ -1,12 +1,17 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <optional>
 
 #include "render/camera/camera.h"
 #include "render/camera/framing.h"
+#include "render/figure/color_field.h"
 #include "render/figure/config.h"
 #include "render/figure/figure.h"
+#include "render/figure/markers.h"
 #include "render/geometry/scene.h"
+#include "render/light/equirectangular_map.h"
 #include "render/studio/studio.h"
 
 namespace automorph {
@@ -19,6 +24,7 @@ struct Shooting {
     render::Bounds bounds;  ///< of all that is ever shown
     int width = 0, height = 0, spp = 0;
     double adaptive_error = 0;  ///< render::RenderOptions; 0: all pixels take `spp`
+    std::shared_ptr<const render::EquirectangularMap> sky;  ///< null without a picture of one
 };
 
 /// Size and samples of pictures.
@@ -53,6 +59,12 @@ class Subject {
 public:
     Subject(const Shooting& shooting, const Points& V, const Triangles& F);
 
+    /// Colours the surface by a scalar per vertex from now on.
+    void color(const Eigen::VectorXd& values, const ColorScale& scale);
+
+    /// Puts small spheres on vertices of the surface, which go along with it.
+    void mark(const std::vector<int>& vertices);
+
     /// Moves the vertices there and takes the picture.
     /// @param frame  of a video: frames have independent noise
     FigureCell shoot(const Points& V, const std::function<void(double)>& progress, std::uint32_t frame = 0);
@@ -64,6 +76,7 @@ private:
     const Shooting& shooting_;
     render::Scene scene_;
     int mesh_;
+    std::optional<Markers> markers_;
 };
 
 }  // namespace automorph

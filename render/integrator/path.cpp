@@ -32,13 +32,13 @@ struct PathTracer::Vertex {
     Frame frame;
     Bsdf bsdf;
 
-    Vertex(const PathTracer& tracer, const Ray& ray, const Hit& hit, int depth)
+    Vertex(const PathTracer& tracer, const Ray& ray, const Hit& hit, int depth, bool through_glass)
         : surface(surface_point(tracer.scene_, hit, ray)),
           material(tracer.materials_[hit.mesh]),
           frame(material.diffuse ? surface.shading_normal : towards(surface.shading_normal, -ray.direction)),
           bsdf(material, surface.base_color,
                material.diffuse ? Vec3(0, 0, 1) : frame.to_local(-ray.direction), surface.front) {
-        if (depth == 0 && material.material.shadow_catcher)
+        if (through_glass && material.material.shadow_catcher)
             bsdf = Bsdf::diffuse(tracer.catcher_albedo(hit.mesh, surface));
         if (depth == 0 && material.material.wire_width > 0.0f && tracer.on_wire(ray, hit, surface)) {
             surface.base_color = material.material.wire_color;
@@ -82,8 +82,10 @@ Color PathTracer::light_on_the_way(const Ray& ray, const Vec3& normal, float far
     });
 }
 
-Color PathTracer::sky(const Ray& ray, const Vec3& normal, int depth, float bsdf_pdf) const {
-    if (depth == 0 && scene_.background) return background_;
+Color PathTracer::sky(const Ray& ray, const Vec3& normal, int depth, bool through_glass,
+                      float bsdf_pdf) const {
+    // A map is sampled from inside rough glass too: there the background would count twice.
+    if (scene_.background && (depth == 0 || (through_glass && !map_is_sampled_))) return background_;
     const Color smooth = scene_.sky.smooth(ray.direction);
     if (!map_is_sampled_) return smooth;
     const float weight =
@@ -134,15 +136,16 @@ Color PathTracer::radiance(Ray ray, std::optional<Hit> hit, const SampleNumbers&
     Vec3 normal = Vec3::Zero();  // where the ray starts
     float bsdf_pdf = 0.0f;       // of the ray's direction
     float density = 1.0f;        // of the medium, squared index: what refraction took from the throughput
+    bool through_glass = true;   // what is met now is seen directly, or through nothing but glass
     for (int depth = 0;; ++depth) {
         ++rays;
         if (depth > 0) hit = scene_.embree().intersect(ray, kInfinity);
         sum += throughput * light_on_the_way(ray, normal, hit ? hit->distance : kInfinity, depth, bsdf_pdf);
-        if (!hit) return sum + throughput * sky(ray, normal, depth, bsdf_pdf);
+        if (!hit) return sum + throughput * sky(ray, normal, depth, through_glass, bsdf_pdf);
         sum += throughput * materials_[hit->mesh].material.emission;
         if (depth == options_.max_scatter) return sum;
 
-        const Vertex v(*this, ray, *hit, depth);
+        const Vertex v(*this, ray, *hit, depth, through_glass);
         if (depth == 0 && first != nullptr)
             *first = {v.surface.base_color, v.surface.shading_normal, v.surface.geometric_normal};
         const auto pair = [&](Pair which) {
@@ -168,6 +171,7 @@ Color PathTracer::radiance(Ray ray, std::optional<Hit> hit, const SampleNumbers&
         normal = v.frame.normal;
         ray.direction = v.frame.to_world(scattered->wi);
         if (scattered->wi.z() > 0.0f) {
+            through_glass = false;
             ray.origin = v.surface.ray_origin;
         } else {
             // Refracted by the interpolated normal, but reflected by the true one: there is no such light.

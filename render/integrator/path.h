@@ -50,7 +50,7 @@ private:
     bool on_wire(const Ray& ray, const Hit& hit, const SurfacePoint& surface) const;
     float found_weight(int depth, float bsdf_pdf, float light_pdf) const;
     Color light_on_the_way(const Ray& ray, const Vec3& normal, float far, int depth, float bsdf_pdf) const;
-    Color sky(const Ray& ray, const Vec3& normal, int depth, float bsdf_pdf) const;
+    Color sky(const Ray& ray, const Vec3& normal, int depth, bool through_glass, float bsdf_pdf) const;
     Color direct_light(const Vertex& vertex, float choice, Sample2 place, float time,
                        std::uint64_t& rays) const;
     Color catcher_albedo(std::uint32_t mesh, const SurfacePoint& surface) const;

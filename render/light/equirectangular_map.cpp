@@ -45,7 +45,8 @@ void accumulate(const std::vector<double>& weights, float* distribution) {
 
 }  // namespace
 
-EquirectangularMap::EquirectangularMap(const Image& image) : width_(image.width), height_(image.height) {
+EquirectangularMap::EquirectangularMap(const Image& image, const MapAxes& axes)
+    : axes_(axes), width_(image.width), height_(image.height) {
     if (width_ <= 0 || height_ <= 0 || (image.channels != 1 && image.channels != 3)) {
         throw ConfigError(
             fmt::format("sky: the picture has {} x {} pixels and {} channels; expected one or three channels",
@@ -86,8 +87,9 @@ double EquirectangularMap::solid_angle(int row) const {
 }
 
 std::size_t EquirectangularMap::texel(const Vec3& direction) const {
-    const auto x = static_cast<double>(direction.x()), y = static_cast<double>(direction.y());
-    const double polar = angle_of(std::sqrt(x * x + y * y), static_cast<double>(direction.z()));
+    const auto x = static_cast<double>(direction.dot(axes_.middle)),
+               y = static_cast<double>(direction.dot(axes_.left));
+    const double polar = angle_of(std::sqrt(x * x + y * y), static_cast<double>(direction.dot(axes_.zenith)));
     const double azimuth = std::copysign(angle_of(std::abs(y), x), -y);
     const int row = static_cast<int>(polar / kHalfTurn * height_);
     const int column = static_cast<int>((0.5 * azimuth / kHalfTurn + 0.5) * width_);
@@ -104,14 +106,16 @@ std::optional<LightSample> EquirectangularMap::sample(float u, float v) const {
     const SineCosine azimuth =
         sine_and_cosine(2.0 * kHalfTurn * ((right.cell + right.within) / width_ - 0.5));
     const double level = std::sqrt(std::max(0.0, 1.0 - z * z));
-    const Vec3 wi = Eigen::Vector3d(azimuth.cosine * level, -azimuth.sine * level, z).cast<float>();
+    const Vec3 local = Eigen::Vector3d(azimuth.cosine * level, -azimuth.sine * level, z).cast<float>();
+    const Vec3 wi = local.x() * axes_.middle + local.y() * axes_.left + local.z() * axes_.zenith;
     const Color radiance = color(row * width + static_cast<std::size_t>(right.cell));
     return LightSample{wi, wi, radiance, density(radiance), std::numeric_limits<float>::infinity()};
 }
 
 // Texels are small, so that the cosine at their middle stands for them.
 Color EquirectangularMap::irradiance(const Vec3& normal) const {
-    const Eigen::Vector3d n = normal.cast<double>();
+    const Eigen::Vector3d n =
+        Vec3(normal.dot(axes_.middle), normal.dot(axes_.left), normal.dot(axes_.zenith)).cast<double>();
     Eigen::Array3d sum = Eigen::Array3d::Zero();
     for (int row = 0; row < height_; ++row) {
         const auto r = static_cast<std::size_t>(row);

@@ -9,17 +9,24 @@
 
 namespace automorph::render {
 
+/// How the picture of a sky is turned: unit vectors, right-handed in this order.
+struct MapAxes {
+    Vec3 middle{1.0f, 0.0f, 0.0f};  ///< of the picture
+    Vec3 left{0.0f, 1.0f, 0.0f};    ///< middle of its left half
+    Vec3 zenith{0.0f, 0.0f, 1.0f};  ///< its upper edge
+};
+
 /// A sky from a latitude-longitude picture, constant in each texel, sampled in proportion to its radiance.
 ///
-/// Z is up and row 0 at the zenith. With u to the right and v downwards, both in [0, 1], and phi = 2 pi (u -
-/// 1/2), elevation t = pi (1/2 - v), the direction is (cos phi cos t, -sin phi cos t, sin t): the middle
-/// column lies along +X, the middle of the left half along +Y.
+/// Row 0 lies at the zenith. In coordinates along the axes (middle, left, zenith), with u to the right and v
+/// downwards, both in [0, 1], and phi = 2 pi (u - 1/2), elevation t = pi (1/2 - v), the direction is (cos phi
+/// cos t, -sin phi cos t, sin t).
 class EquirectangularMap {
 public:
     /// @param image  one or three channels of linear radiance
     /// @throws ConfigError if the picture is empty, has other channels or a value that is negative or not
     /// finite
-    explicit EquirectangularMap(const Image& image);
+    explicit EquirectangularMap(const Image& image, const MapAxes& axes = {});
 
     /// Radiance from the unit vector `direction`.
     Color operator()(const Vec3& direction) const { return color(texel(direction)); }
@@ -44,6 +51,7 @@ private:
     }
     double solid_angle(int row) const;  ///< of each of its texels
 
+    MapAxes axes_;
     int width_, height_;
     std::vector<float> texels_;   ///< height x width x 3
     std::vector<float> rows_;     ///< height + 1: distribution of the row

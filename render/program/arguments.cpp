@@ -84,6 +84,7 @@ void add_figure(CLI::App& app, FigureArguments& arguments) {
         ->delimiter('\0');
     command->add_flag("--dry-run", arguments.dry_run,
                       "Tells what would be made, and about how long it takes");
+    command->add_flag("--denoise", arguments.denoise, "Smooths the noise away, for previews with few paths");
     command->footer(kFigureExamples);
 }
 

@@ -30,6 +30,7 @@ struct FigureArguments {
     std::string rows, cells, frames;     ///< selections, e.g. "1,3-4"; empty: all
     std::vector<std::string> overrides;  ///< KEY=VALUE
     bool dry_run = false;                ///< only tell what would be made
+    bool denoise = false;                ///< every cell, as a preview
 };
 
 struct MorphArguments {

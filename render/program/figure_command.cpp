@@ -65,6 +65,7 @@ void run(const FigureArguments& arguments, const Surroundings& surroundings) {
         FigureOptions options;
         options.spp = arguments.spp;
         options.scale = arguments.scale;
+        options.denoise = arguments.denoise;
         options.threads = surroundings.threads;
         options.progress = surroundings.progress;
         const auto selection = [](const char* flag, const std::string& text) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "morph/mesh/errors.h"
+#include "render/studio/backdrop.h"
 
 namespace automorph::render {
 namespace {
@@ -30,6 +31,77 @@ const std::array<StudioLight, 2> kLights{{
 }};
 constexpr float kSkyRadiance = 0.18f;
 
+// The rim comes from behind, so high that the shadow it throws towards the camera stays short, and is large,
+// so that this shadow is soft.
+const StudioLight kRim{-0.75, 0.55, 1.25, 4.0, 2.6, 2.28f, {0.97f, 1.0f, 1.03f}};
+
+constexpr float kPaperAlbedo = 0.8f;  // of a white ground
+
+/// The camera's axes, with one that is the view without its slope.
+struct Axes {
+    Eigen::Vector3d right, up, level;
+
+    explicit Axes(const Camera& camera) : up(camera.up.normalized()) {
+        const Eigen::Vector3d forward = (camera.target - camera.position).normalized();
+        right = cross(forward, up).normalized();
+        level = cross(up, right);
+    }
+};
+
+double radius_of(const Bounds& bounds) {
+    if (!(bounds.lower.array() <= bounds.upper.array()).all())
+        throw Error("studio: there is nothing to light");
+    return std::max(bounds.radius(), 1e-30);
+}
+
+RectangleLight placed(const StudioLight& each, const Axes& axes, const Bounds& bounds, double radius) {
+    const Eigen::Vector3d to_light =
+        (-each.towards_camera * axes.level + each.right * axes.right + each.up * axes.up).normalized();
+    const Eigen::Vector3d center = bounds.center() + each.distance * radius * to_light;
+    const auto ratio = static_cast<float>(each.distance / each.side);
+    RectangleLight light =
+        square_light(center.cast<float>(), bounds.center().cast<float>(),
+                     static_cast<float>(each.side * radius), each.irradiance * ratio * ratio * each.tint);
+    light.visible_to_camera = false;
+    return light;
+}
+
+/// The floor's middle, under the lowest corner of the box.
+FloorPlace floor_under(const Bounds& bounds, const Axes& axes, double radius) {
+    double lowest = 1e300;  // along the up vector
+    for (int corner = 0; corner < 8; ++corner) {
+        const Eigen::Vector3d p((corner & 1 ? bounds.upper : bounds.lower).x(),
+                                (corner & 2 ? bounds.upper : bounds.lower).y(),
+                                (corner & 4 ? bounds.upper : bounds.lower).z());
+        lowest = std::min(lowest, p.dot(axes.up));
+    }
+    const Eigen::Vector3d below =
+        bounds.center() + (lowest - bounds.center().dot(axes.up) - kGroundGap * radius) * axes.up;
+    return {below, axes.right, axes.level, axes.up, radius};
+}
+
+void add_shadow_catcher(Scene& scene, const FloorPlace& floor) {
+    const Eigen::Vector3d a = 0.5 * kGroundSide * floor.radius * floor.right,
+                          b = 0.5 * kGroundSide * floor.radius * floor.level;
+    Points V(4, 3);
+    V << (floor.below - a - b).transpose(), (floor.below + a - b).transpose(),
+        (floor.below + a + b).transpose(), (floor.below - a + b).transpose();
+    Triangles F(2, 3);
+    F << 0, 1, 2, 0, 2, 3;
+    MeshOptions ground;
+    ground.normals = Normals::Flat;
+    ground.material.base_color.setConstant(0.5f);
+    ground.material.shadow_catcher = true;
+    scene.add_mesh(V, F, ground);
+}
+
+void add_floor(Scene& scene, const FloorPlace& place, Ground ground, const Color& background, bool wall) {
+    if (ground == Ground::None) return;
+    if (ground == Ground::Shadow) return add_shadow_catcher(scene, place);
+    const Backdrop sheet = make_backdrop(place, {kPaperAlbedo * background, ground == Ground::Checker, wall});
+    scene.add_mesh(sheet.V, sheet.F, sheet.options);
+}
+
 }  // namespace
 
 void Bounds::add(const Points& V) {
@@ -47,49 +119,24 @@ Material clay() {
 }
 
 void add_studio(Scene& scene, const Camera& camera, const Bounds& bounds, const StudioOptions& options) {
-    if (!(bounds.lower.array() <= bounds.upper.array()).all())
-        throw Error("studio: there is nothing to light");
-    const double radius = std::max(bounds.radius(), 1e-30);
-    const Eigen::Vector3d forward = (camera.target - camera.position).normalized();
-    const Eigen::Vector3d up = camera.up.normalized();
-    const Eigen::Vector3d right = cross(forward, up).normalized();
-    const Eigen::Vector3d level = cross(up, right);  // the view without its slope
-
-    for (const StudioLight& each : kLights) {
-        const Eigen::Vector3d to_light =
-            (-each.towards_camera * level + each.right * right + each.up * up).normalized();
-        const Eigen::Vector3d center = bounds.center() + each.distance * radius * to_light;
-        const auto ratio = static_cast<float>(each.distance / each.side);
-        RectangleLight light =
-            square_light(center.cast<float>(), bounds.center().cast<float>(),
-                         static_cast<float>(each.side * radius), each.irradiance * ratio * ratio * each.tint);
-        light.visible_to_camera = false;
-        scene.lights.push_back(light);
+    const double radius = radius_of(bounds);
+    const Axes axes(camera);
+    const std::size_t first = scene.lights.size();
+    for (const StudioLight& each : kLights) scene.lights.push_back(placed(each, axes, bounds, radius));
+    if (options.rim > 0.0f) {
+        scene.lights.push_back(placed(kRim, axes, bounds, radius));
+        scene.lights.back().radiance *= options.rim;
     }
-    scene.sky.radiance = kSkyRadiance * Color(0.97f, 1.0f, 1.04f);
+    for (std::size_t i = first; i < scene.lights.size(); ++i) scene.lights[i].radiance *= options.strength;
+    scene.sky.radiance = options.strength * kSkyRadiance * Color(0.97f, 1.0f, 1.04f);
     scene.background = options.background;
+    add_floor(scene, floor_under(bounds, axes, radius), options.ground, options.background, true);
+}
 
-    if (!options.ground) return;
-    double lowest = 1e300;  // of the box's corners along the up vector
-    for (int corner = 0; corner < 8; ++corner) {
-        const Eigen::Vector3d p((corner & 1 ? bounds.upper : bounds.lower).x(),
-                                (corner & 2 ? bounds.upper : bounds.lower).y(),
-                                (corner & 4 ? bounds.upper : bounds.lower).z());
-        lowest = std::min(lowest, p.dot(up));
-    }
-    const Eigen::Vector3d below =
-        bounds.center() + (lowest - bounds.center().dot(up) - kGroundGap * radius) * up;
-    const Eigen::Vector3d a = 0.5 * kGroundSide * radius * right, b = 0.5 * kGroundSide * radius * level;
-    Points V(4, 3);
-    V << (below - a - b).transpose(), (below + a - b).transpose(), (below + a + b).transpose(),
-        (below - a + b).transpose();
-    Triangles F(2, 3);
-    F << 0, 1, 2, 0, 2, 3;
-    MeshOptions ground;
-    ground.normals = Normals::Flat;
-    ground.material.base_color.setConstant(0.5f);
-    ground.material.shadow_catcher = true;
-    scene.add_mesh(V, F, ground);
+void add_ground(Scene& scene, const Camera& camera, const Bounds& bounds, Ground ground,
+                const Color& background) {
+    const double radius = radius_of(bounds);
+    add_floor(scene, floor_under(bounds, Axes(camera), radius), ground, background, false);
 }
 
 }  // namespace automorph::render

@@ -18,18 +18,37 @@ struct Bounds {
     double radius() const { return 0.5 * (upper - lower).norm(); }
 };
 
+/// What a shape stands on: a floor just under its lowest point.
+enum class Ground {
+    None,
+    Shadow,  ///< shows nothing but the shadow, on the background
+    Plain,   ///< a sheet of paper, under studio lights rising behind the shape without a seam
+    Checker  ///< the same with squares, which show scale and reflections
+};
+
 struct StudioOptions {
+    /// Radiance of what the camera sees where nothing stands; a ground that is seen itself has four fifths of
+    /// it as albedo.
     Color background{0.93f, 0.93f, 0.93f};
-    bool ground = true;  ///< a floor under the lowest point that shows the shadow only
+    Ground ground = Ground::Shadow;
+    /// Strength of a light from behind, above right, relative to the key: it draws the outline of dark and
+    /// shining materials. None by default, since it casts a shadow of its own towards the camera.
+    float rim = 0.0f;
+    float strength = 1.0f;  ///< factor on all lights
 };
 
 /// The material of the figures: light warm-grey clay.
 Material clay();
 
 /// Lights a scene as the figures are: a soft key light from the upper left of the camera, a sky that fills
-/// the shadows, a bright even background and, if wanted, a floor that shows nothing but the shadow.
+/// the shadows, a bright even background and, if wanted, a floor.
 /// @param bounds of all frames, so that one set-up serves a whole morph
 /// @throws Error if the bounds are empty
 void add_studio(Scene& scene, const Camera& camera, const Bounds& bounds, const StudioOptions& options = {});
+
+/// The floor alone, for scenes under a sky: as large as one sees, level, without a wall behind.
+/// @throws Error if the bounds are empty
+void add_ground(Scene& scene, const Camera& camera, const Bounds& bounds, Ground ground,
+                const Color& background);
 
 }  // namespace automorph::render

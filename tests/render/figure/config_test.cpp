@@ -1,5 +1,6 @@
 #include "render/figure/config.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -262,6 +263,114 @@ TEST_CASE("a row sets the constants of its curvature features") {
                 {"rows[0].features.largest_gaussian: found '5'"});
 }
 
+TEST_CASE("a picture says its material, light, lens, edges, ground, colours, markers and files") {
+    const PictureConfig picture = parse(kShortest + R"(picture:
+  material: {metallic: 1, roughness: 0.25, specular: 0.5, transmission: 0.125, ior: 1.4}
+  light: {kind: sky, map: skies/day.hdr, rotation: -30, strength: 2, visible: true}
+  lens: {radius: 0.02, focus: -0.8}
+  wireframe: {width: 1.5, color: [1, 0, 0]}
+  ground: checker
+  color: displacement
+  markers: {kind: spread, count: 7, radius: 0.03}
+  denoise: true
+  curve: filmic
+  bits: 16
+)")
+                                      .picture;
+    CHECK(picture.material.metallic == 1);
+    CHECK(picture.material.roughness == 0.25);
+    CHECK(picture.material.specular == 0.5);
+    CHECK(picture.material.transmission == 0.125);
+    CHECK(picture.material.ior == 1.4);
+    CHECK(picture.light.kind == LightConfig::Kind::Sky);
+    CHECK(picture.light.map == fs::path("folder/skies/day.hdr"));
+    CHECK(picture.light.rotation == -30);
+    CHECK(picture.light.strength == 2);
+    CHECK(picture.light.visible);
+    CHECK(picture.lens.radius == 0.02);
+    CHECK(picture.lens.focus == -0.8);
+    CHECK(picture.wireframe.width == 1.5);
+    CHECK(picture.wireframe.color == Eigen::Vector3d(1, 0, 0));
+    CHECK(picture.ground == render::Ground::Checker);
+    CHECK(picture.color == ColorField::Displacement);
+    CHECK(picture.markers.kind == MarkersConfig::Kind::Spread);
+    CHECK(picture.markers.count == 7);
+    CHECK(picture.markers.radius == 0.03);
+    CHECK(picture.denoise);
+    CHECK(picture.curve == render::ToneCurve::Filmic);
+    CHECK(picture.bits == 16);
+    CHECK_FALSE(picture.ends_in_background());
+    CHECK(PictureConfig{}.ends_in_background());
+
+    // Short forms.
+    const auto ground = [](const std::string& value) {
+        return parse(kShortest + "picture: {ground: " + value + "}\n").picture.ground;
+    };
+    CHECK(ground("true") == render::Ground::Shadow);
+    CHECK(ground("false") == render::Ground::None);
+    CHECK(ground("shadow") == render::Ground::Shadow);
+    CHECK(ground("plain") == render::Ground::Plain);
+    const PictureConfig shorter =
+        parse(kShortest + "picture: {light: gradient, wireframe: 2, markers: spread}\n").picture;
+    CHECK(shorter.light.kind == LightConfig::Kind::Gradient);
+    CHECK(shorter.wireframe.width == 2);
+    CHECK(shorter.markers.kind == MarkersConfig::Kind::Spread);
+}
+
+TEST_CASE("what a picture cannot be is refused where it stands") {
+    const auto picture = [](const std::string& keys) { return kShortest + "picture: {" + keys + "}\n"; };
+    check_error(picture("material: {ior: 0.9}"), "4:27",
+                {"picture.material.ior: found '0.9'", "from 1 to 4"});
+    check_error(picture("material: {metal: 1}"), "4:22", {"'metal' in picture.material", "'metallic'"});
+    check_error(picture("ground: grass"), "4:19",
+                {"picture.ground: found 'grass'", "none, shadow, plain, checker, true, false"});
+    check_error(picture("light: sky"), "4:18", {"picture.light.map is missing"});
+    check_error(picture("light: {map: x.exr}"), "4:19", {"only beside 'kind: sky'"});
+    check_error(picture("light: {kind: gradient, rim: 1}"), "4:35", {"only beside 'kind: studio'"});
+    check_error(picture("light: {visible: true}"), "4:19", {"no meaning beside 'kind: studio'"});
+    check_error(picture("light: {kind: gradient, visible: true}"), "4:11",
+                {"picture.ground: found shadow beside a visible sky"});
+    check_error(picture("lens: {focus: 2}"), "4:25", {"picture.lens.focus: found '2'"});
+    check_error(picture("wireframe: -1"), "4:22", {"picture.wireframe.width: found '-1'"});
+    check_error(picture("bits: 12"), "4:17", {"picture.bits: found '12', expected one of 8, 16"});
+    check_error(picture("markers: features"), "4:11", {"no row has 'alignment: features'"});
+    check_error(picture("markers: {count: 3}"), "4:21", {"only beside 'kind: spread'"});
+    check_error("show: map\nsource: a\npicture: {color: curvature}\n", "3:11",
+                {"picture.color has a meaning only beside 'show: morph'"});
+}
+
+TEST_CASE("looks and stages begin as the picture, and change what they say") {
+    const FigureConfig figure = parse(R"(show: looks
+source: a.off
+stages:
+  - {label: one}
+  - {label: two, light: gradient, ground: plain, background: [0.5, 0.5, 0.5]}
+looks:
+  - {label: a}
+  - {label: b, albedo: [1, 0, 0], material: {metallic: 1}, wireframe: 1, normals: flat}
+picture: {albedo: [0, 1, 0], material: {roughness: 0.125}, ground: none, spp: 5}
+)");
+    REQUIRE(figure.looks.size() == 2);
+    REQUIRE(figure.stages.size() == 2);
+    CHECK(figure.looks[0].label == "a");
+    CHECK(figure.looks[0].picture.albedo == Eigen::Vector3d(0, 1, 0));
+    CHECK(figure.looks[1].picture.albedo == Eigen::Vector3d(1, 0, 0));
+    CHECK(figure.looks[1].picture.material.metallic == 1);
+    CHECK(figure.looks[1].picture.material.roughness == 0.125);
+    CHECK(figure.looks[1].picture.normals == render::Normals::Flat);
+    CHECK(figure.stages[0].picture.ground == render::Ground::None);
+    CHECK(figure.stages[1].picture.ground == render::Ground::Plain);
+    CHECK(figure.stages[1].picture.light.kind == LightConfig::Kind::Gradient);
+    CHECK(figure.stages[1].picture.spp == 5);
+    check_error("show: looks\nsource: a\n", "1:1", {"'looks' is missing"});
+    check_error("show: looks\nsource: a\ntarget: b\nlooks: [{label: x}]\n", "3:1",
+                {"'target' has no meaning beside 'show: looks'"});
+    check_error("show: shape\nsource: a\nlooks: [{label: x}]\n", "3:1",
+                {"'looks' has no meaning beside 'show: shape'"});
+    check_error("show: looks\nsource: a\nlooks: [{label: x, spp: 3}]\n", "3:20",
+                {"unknown key 'spp' in looks[0]"});
+}
+
 TEST_CASE("a missing or repeated key is refused") {
     check_error("target: b\nrows: [{label: x}]\n", "1:1", {"'source' is missing in the config", "alpha = 0"});
     check_error("source: a\ntarget: b\n", "1:1", {"'rows' is missing"});
@@ -318,13 +427,25 @@ TEST_CASE("the table documents every key once, with a meaning, and its defaults 
     // Written out as a config, the defaults of `picture` change nothing.
     std::string text = kShortest + "picture:\n";
     for (const ConfigKey& key : config_keys()) {
-        if (key.path.rfind("picture.", 0) == 0)
-            text += "  " + key.path.substr(8) + ": " + key.fallback + "\n";
+        if (key.path.rfind("picture.", 0) != 0 || !key.only_with.empty()) continue;
+        const bool section = key.type == ConfigKey::Type::Section;
+        if (key.fallback.empty() && !section) continue;
+        const auto depth = static_cast<std::size_t>(std::count(key.path.begin(), key.path.end(), '.'));
+        text += std::string(2 * depth, ' ') + key.path.substr(key.path.rfind('.') + 1) + ": " + key.fallback +
+                "\n";
     }
+    INFO(text);
     const PictureConfig written = parse(text).picture, built;
     CHECK(written.width == built.width);
     CHECK(written.view == built.view);
     CHECK(written.albedo == built.albedo);
     CHECK(written.normals == built.normals);
     CHECK(written.fov == built.fov);
+    CHECK(written.ground == built.ground);
+    CHECK(written.material.roughness == built.material.roughness);
+    CHECK(written.light.kind == built.light.kind);
+    CHECK(written.light.strength == built.light.strength);
+    CHECK(written.wireframe.color == built.wireframe.color);
+    CHECK(written.markers.radius == built.markers.radius);
+    CHECK(written.bits == built.bits);
 }

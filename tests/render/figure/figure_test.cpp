@@ -81,7 +81,7 @@ TEST_CASE("rows with the same options share one morph, and each row has all its 
 TEST_CASE("the background of a figure is even and meets the white paper of the sheet exactly") {
     FigureConfig config = parse_config(kTiny, "tiny.yaml");
     config.rows.resize(1);
-    config.picture.ground = false;
+    config.picture.ground = render::Ground::None;
     const Figure figure = render_figure(config);
     for (const FigureCell& cell : figure.rows[0].cells) {
         for (const int x : {0, 39}) {

@@ -7,7 +7,8 @@ namespace golden {
 using namespace automorph;
 
 const std::vector<std::string>& names() {
-    static const std::vector<std::string> all{"fig1", "fig2", "fig3", "fig4", "fig5", "fig6", "fig7", "fig8"};
+    static const std::vector<std::string> all{"fig1", "fig2", "fig3", "fig4",     "fig5",
+                                              "fig6", "fig7", "fig8", "materials"};
     return all;
 }
 
@@ -17,7 +18,7 @@ FigureConfig config(const std::string& name) {
         constexpr int kTriangles = 5000;
         for (MeshConfig* mesh : {&config.source, &config.target})
             mesh->triangles = std::min(mesh->triangles, kTriangles);
-        config.alphas = {0, 0.5, 1};
+        if (config.show == Show::Morph) config.alphas = {0, 0.5, 1};
     }
     // All cells of a golden are 80 pixels wide, whatever the config prints.
     constexpr int kWidth = 400;

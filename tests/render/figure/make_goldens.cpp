@@ -1,7 +1,10 @@
-// Renders the golden pictures anew: `./run goldens`. Say in CHANGELOG.md why they moved.
+// Renders the golden pictures anew: `./run goldens`, or those of the figures named as arguments alone. Say in
+// CHANGELOG.md why they moved.
 
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include "render/figure/text_file.h"
 #include "render/image/image_file.h"
@@ -22,9 +25,11 @@ void make(const std::string& name) {
 
 }  // namespace
 
-int main() {
+int main(int count, char** values) {
     try {
-        for (const std::string& name : golden::names()) make(name);
+        std::vector<std::string> names(values + 1, values + count);
+        if (names.empty()) names = golden::names();
+        for (const std::string& name : names) make(name);
         return 0;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "make_goldens: %s\n", error.what());

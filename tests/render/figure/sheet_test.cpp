@@ -121,3 +121,30 @@ TEST_CASE("labels are broken at spaces") {
     CHECK(wrap("  spaces   collapse ", 100, length) == Lines{"spaces collapse"});
     CHECK(wrap("", 10, length).empty());
 }
+
+TEST_CASE("cells that do not merge stand apart on the paper, and a legend stands below them") {
+    const SheetText text{"", {"", ""}, {"a", "b", "c"}};
+    const Image dense = make_sheet(coloured_cells(), text);
+    SheetFade apart;
+    apart.gap = 0.1;
+    const Image spread = make_sheet(coloured_cells(), text, apart);
+    CHECK(spread.width == dense.width + 2 * 12);
+    CHECK(spread.height == dense.height + 12);
+    const int margin = 120 / 12;
+    CHECK(is_color(spread, spread.width - margin - 120 - 6, spread.height - margin - 40, 1, 1, 1));
+
+    const ColorScale scale{0, 0.25, "metres"};
+    const Image with_legend = make_sheet(coloured_cells(), text, {}, scale);
+    CHECK(with_legend.width >= dense.width);
+    REQUIRE(with_legend.height > dense.height + 20);
+    // A bar from dark blue to yellow across the middle, with numbers below it.
+    int blue = 0, yellow = 0;
+    for (int x = 0; x < with_legend.width; ++x) {
+        const float* p = with_legend.at(x, dense.height + 3);
+        blue += p[2] > 2 * p[1] && p[0] < 0.1f;
+        yellow += p[0] > 0.8f && p[1] > 0.7f && p[2] < 0.1f;
+    }
+    CHECK(blue > 3);
+    CHECK(yellow > 3);
+    CHECK(ink(with_legend, 0, dense.height + 12, with_legend.width, with_legend.height) > 20);
+}

@@ -90,6 +90,47 @@ TEST_CASE("glass in a sky of radiance one cannot be seen") {
     }
 }
 
+TEST_CASE("the background and the shadow alone are seen through glass") {
+    const Shape sphere = icosphere(3), plane = square(40.0, -1.01);
+    for (float roughness : {0.0f, 0.3f}) {
+        Scene scene;
+        MeshOptions body;
+        body.material = glass(roughness);
+        // Smooth glass of index 1 bends nothing and reflects nothing; rough glass needs some other index.
+        body.material.ior = roughness > 0.0f ? 1.1f : 1.0f;
+        scene.add_mesh(sphere.V, sphere.F, body);
+        scene.sky.radiance.setConstant(0.2f);
+        scene.background = Color(0.9f, 0.8f, 0.7f);
+        Camera camera;
+        camera.vertical_fov = 10.0;
+        const Image image = render::render(scene, camera, small_picture(8, 64)).image;
+        const double tolerance = roughness > 0.0f ? 0.06 : 1e-5;
+        for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+            const float expected = (*scene.background)[static_cast<Eigen::Index>(i % 3)];
+            CHECK(image.pixels[i] == Approx(expected).epsilon(tolerance));
+        }
+    }
+    // A catcher that nothing shadows has the background's radiance behind a pane of glass, too.
+    Scene scene;
+    MeshOptions pane, ground;
+    pane.material = glass(0.0f);
+    pane.material.ior = 1.0f;
+    const Shape window =
+        make_shape({{-9, -5, -9}, {9, -5, -9}, {9, -5, 9}, {-9, -5, 9}}, {{0, 1, 2}, {0, 2, 3}});
+    scene.add_mesh(window.V, window.F, pane);
+    ground.material.shadow_catcher = true;
+    scene.add_mesh(plane.V, plane.F, ground);
+    scene.sky.radiance.setConstant(0.2f);
+    scene.background = Color::Constant(0.9f);
+    Camera camera;
+    camera.position = {0.0, -10.0, 2.0};
+    camera.target = {0.0, 0.0, -1.0};
+    camera.vertical_fov = 10.0;
+    const Mean mean = mean_red(render::render(scene, camera, small_picture(16, 64)).image);
+    // The pane is in the sky's way, but lets everything through.
+    CHECK(mean.value == Approx(0.9).epsilon(0.01));
+}
+
 TEST_CASE("strategies agree on every material, under rectangle, sphere and map") {
     const Shape sphere = icosphere(2), plane = square(5.0, -1.0);
     Image sky(16, 8, 3, 0.1f);

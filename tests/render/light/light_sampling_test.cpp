@@ -273,3 +273,23 @@ TEST_CASE("maps that are no radiance are refused with the place") {
     CHECK_THROWS_AS(EquirectangularMap{Image()}, ConfigError);
     CHECK_THROWS_AS(EquirectangularMap{Image(4, 2, 2)}, ConfigError);
 }
+
+TEST_CASE("a turned map shows its picture along its axes, and its sampler follows it") {
+    const Image picture = uneven_map();
+    const MapAxes axes{{0.0f, 0.6f, -0.8f}, {1.0f, 0.0f, 0.0f}, {0.0f, -0.8f, -0.6f}};
+    const EquirectangularMap straight(picture), turned(picture, axes);
+    const auto to_world = [&](const Vec3& w) {
+        return Vec3(w.x() * axes.middle + w.y() * axes.left + w.z() * axes.zenith);
+    };
+    CHECK(turned.power() == straight.power());
+    for (const double z : {-0.83, -0.21, 0.02, 0.55, 0.97}) {
+        for (int k = 0; k < 30; ++k) {
+            const Vec3 w = direction(z, kTwoPi * (k + 0.3) / 30);
+            CHECK((turned(to_world(w)) == straight(w)).all());
+            CHECK(turned.irradiance(to_world(w))[1] == Approx(straight.irradiance(w)[1]).epsilon(1e-4));
+        }
+    }
+    check_sampler(
+        "turned map", [&](float, float u, float v) { return turned.sample(u, v); },
+        [&](const Vec3& w) { return turned.pdf(w); });
+}

@@ -362,10 +362,12 @@ TEST_CASE("the command line arrives in full") {
     CHECK(features.options.alignment == Alignment::Features);
 
     const auto figure = command_of<FigureArguments>(
-        {"figure", "x.yaml", "y.yaml", "--out", "d", "--spp", "3", "--scale", "0.5"});
+        {"figure", "x.yaml", "y.yaml", "--out", "d", "--spp", "3", "--scale", "0.5", "--denoise"});
     CHECK(figure.configs == std::vector<fs::path>{"x.yaml", "y.yaml"});
     CHECK(figure.out == fs::path("d"));
     CHECK(figure.spp == 3);
+    CHECK(figure.denoise);
+    CHECK_FALSE(FigureArguments{}.denoise);
     CHECK(figure.scale == 0.5);
 
     const auto turning = command_of<TurntableArguments>(

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "render/figure/figure.h"
+
+namespace automorph {
+
+/// Show::Looks: the source in each look (columns) on each stage (rows).
+/// @throws as render_figure() does
+void picture_looks(const FigureConfig& config, const FigureOptions& options, Figure& figure);
+
+}  // namespace automorph
