@@ -140,7 +140,12 @@ void write_figure(const FigureConfig& config, const Figure& figure, const std::f
         const FigureRow& row = figure.rows[i];
         for (std::size_t j = 0; j < row.cells.size(); ++j) {
             const render::Metadata about = metadata(config, figure, row, row.cells[j]);
-            render::write_exr(folder / (cell_name(i, j) + ".exr"), row.cells[j].image, about);
+            const std::filesystem::path exr = folder / (cell_name(i, j) + ".exr");
+            if (row.cells[j].layers) {
+                render::write_exr(exr, row.cells[j].image, *row.cells[j].layers, about);
+            } else {
+                render::write_exr(exr, row.cells[j].image, about);
+            }
             render::write_png(folder / (cell_name(i, j) + ".png"), row.cells[j].image, about);
         }
     }

@@ -47,11 +47,13 @@ FigureCell Subject::shoot(const Points& V, const std::function<void(double)>& pr
     settings.spp = shooting_.spp;
     settings.seed = shooting_.picture.seed;
     settings.threads = shooting_.options.threads;
+    settings.layers = shooting_.options.layers;
     settings.progress = progress;
     scene_.move_mesh(mesh_, V);
     render::RenderResult result = render::render(scene_, shooting_.camera, settings);
     FigureCell cell;
     cell.image = std::move(result.image);
+    cell.layers = std::move(result.layers);
     cell.seconds = result.wall_seconds;
     cell.rays = result.rays;
     cell.bad_samples = result.bad_samples;

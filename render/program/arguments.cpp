@@ -88,6 +88,8 @@ void add_figure(CLI::App& app, FigureArguments& arguments) {
     command->add_option("--scale", arguments.scale, "Scales the cells' width and height")
         ->type_name("X")
         ->check(CLI::Range(0.01, 100.0));
+    command->add_flag("--layers", arguments.layers,
+                      "Cells' EXR with albedo, normals, depth, position, numbers, variance and samples");
     command->footer(kFigureExamples);
 }
 

@@ -21,6 +21,7 @@ struct FigureArguments {
     std::optional<std::filesystem::path> out;  ///< folder; with several configs, one folder per config in it
     std::optional<int> spp;
     double scale = 1.0;
+    bool layers = false;
 };
 
 struct MorphArguments {

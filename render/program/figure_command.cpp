@@ -60,6 +60,7 @@ void run(const FigureArguments& arguments, const Surroundings& surroundings) {
         FigureOptions options;
         options.spp = arguments.spp;
         options.scale = arguments.scale;
+        options.layers = arguments.layers;
         options.threads = surroundings.threads;
         options.progress = surroundings.progress;
         const Figure figure = render_figure(job.config, options);
