@@ -30,6 +30,7 @@ public:
 
     FigureCell cell() && {
         cell_.image = canvas_.image();
+        cell_.layers.reset();
         for (const Text& text : texts_) {
             const auto size = static_cast<int>(text.text.size() > 1 ? 1.1 * text.radius : 1.4 * text.radius);
             drawing::label(cell_.image, text.dot, text.text, size, drawing::kPaper);

@@ -268,7 +268,11 @@ void write_figure(const FigureConfig& config, const Figure& figure, const std::f
             render::Metadata about = metadata(config, figure, row, cell);
             const std::string name = cell_name(row.number, cell.column);
             about["color_space"] = "linear, primaries of Rec. 709";
-            render::write_exr(folder / (name + ".exr"), cell.image, about);
+            if (cell.layers) {
+                render::write_exr(folder / (name + ".exr"), cell.image, *cell.layers, about);
+            } else {
+                render::write_exr(folder / (name + ".exr"), cell.image, about);
+            }
             about["color_space"] = png.curve == render::ToneCurve::Filmic ? "sRGB, filmic" : "sRGB";
             render::write_png(folder / (name + ".png"), cell.image, about, png);
         }

@@ -13,6 +13,7 @@
 #include "render/figure/progress.h"
 #include "render/figure/selection.h"
 #include "render/film/image.h"
+#include "render/film/layers.h"
 
 /// From a config to pictures: meshes, one morph per different row, frames, one camera, cells, sheet.
 namespace automorph {
@@ -21,6 +22,7 @@ namespace automorph {
 struct FigureOptions {
     std::optional<int> spp;     ///< instead of the config's, >= 1
     double scale = 1.0;         ///< of the cells' width and height, > 0
+    bool layers = false;        ///< fills FigureCell::layers of rendered cells
     int threads = 0;            ///< of the path tracer; 0: all
     bool denoise = false;       ///< every cell, as `picture.denoise` does
     std::string embree_config;  ///< "isa=sse4.2" makes the pictures the same on every x86-64 machine
@@ -31,11 +33,12 @@ struct FigureOptions {
 };
 
 struct FigureCell {
-    render::Image image;     ///< linear RGB
-    std::string label;       ///< what stands above it
-    double alpha = 0;        ///< of a morph's frame
-    std::size_t column = 0;  ///< in the whole figure
-    double seconds = 0;      ///< of rendering
+    render::Image image;                   ///< linear RGB
+    std::optional<render::Layers> layers;  ///< if asked for and the picture is as it was rendered
+    std::string label;                     ///< what stands above it
+    double alpha = 0;                      ///< of a morph's frame
+    std::size_t column = 0;                ///< in the whole figure
+    double seconds = 0;                    ///< of rendering
     std::uint64_t rays = 0, bad_samples = 0;
 };
 

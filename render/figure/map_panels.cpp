@@ -56,6 +56,7 @@ FigureCell picture_with_edges(const Shooting& shooting, const Mesh& mesh) {
     };
     for (const auto& [i, j] : edges_of(mesh.F)) draw_if_seen(i, j);
     cell.image = canvas.image();
+    cell.layers.reset();
     return cell;
 }
 

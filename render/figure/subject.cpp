@@ -114,12 +114,17 @@ FigureCell Subject::shoot(const Points& V, const std::function<void(double)>& pr
     settings.threads = shooting_.options.threads;
     settings.progress = progress;
     const bool denoise = shooting_.picture.denoise || shooting_.options.denoise;
-    settings.layers = denoise;
+    settings.layers = denoise || shooting_.options.layers;
     scene_.move_mesh(mesh_, V);
     if (markers_) markers_->move(scene_, V);
     render::RenderResult result = render::render(scene_, shooting_.camera, settings);
     FigureCell cell;
-    cell.image = denoise ? render::denoise(result.image, *result.layers) : std::move(result.image);
+    if (denoise) {
+        cell.image = render::denoise(result.image, *result.layers);
+    } else {
+        cell.image = std::move(result.image);
+        cell.layers = std::move(result.layers);
+    }
     cell.seconds = result.wall_seconds;
     cell.rays = result.rays;
     cell.bad_samples = result.bad_samples;

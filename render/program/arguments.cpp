@@ -85,6 +85,8 @@ void add_figure(CLI::App& app, FigureArguments& arguments) {
     command->add_flag("--dry-run", arguments.dry_run,
                       "Tells what would be made, and about how long it takes");
     command->add_flag("--denoise", arguments.denoise, "Smooths the noise away, for previews with few paths");
+    command->add_flag("--layers", arguments.layers,
+                      "Cells' EXR with albedo, normals, depth, position, numbers, variance and samples");
     command->footer(kFigureExamples);
 }
 

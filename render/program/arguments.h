@@ -31,6 +31,7 @@ struct FigureArguments {
     std::vector<std::string> overrides;  ///< KEY=VALUE
     bool dry_run = false;                ///< only tell what would be made
     bool denoise = false;                ///< every cell, as a preview
+    bool layers = false;                 ///< in the EXR files of cells
 };
 
 struct MorphArguments {

@@ -21,7 +21,7 @@ Modes:
   exact        all values of all channels have the same bits
   same-seed    same scene and seed, other compiler or machine: --rmse, --outlier, --outliers
   statistical  any seeds: tells noise from change by the pictures' own layers "variance" and "samples"
-               (multi-layer EXR as the path tracer writes it). Of all runs on unchanged scenes at most the share
+               ('automorph figure --layers' writes them). Of all runs on unchanged scenes at most the share
                --false-alarms is called different. Names the failed test, the place and the size of the change,
                and says how small a change it could have seen.
   auto         statistical where both pictures hold these layers, else same-seed; the output says which)";

@@ -66,6 +66,7 @@ void run(const FigureArguments& arguments, const Surroundings& surroundings) {
         options.spp = arguments.spp;
         options.scale = arguments.scale;
         options.denoise = arguments.denoise;
+        options.layers = arguments.layers;
         options.threads = surroundings.threads;
         options.progress = surroundings.progress;
         const auto selection = [](const char* flag, const std::string& text) {

@@ -32,7 +32,7 @@ NoisyImage read_noisy(const fs::path& file) {
     if (!has_noise_layers(file)) {
         throw IoError(
             fmt::format("{}: there are no layers 'variance' and 'samples', without which noise cannot be "
-                        "told from change; write it with its layers, or take --mode same-seed",
+                        "told from change; render it with --layers, or take --mode same-seed",
                         file.string()));
     }
     return {render::read_channels(file, {"R", "G", "B"}), render::read_channels(file, kVariance),

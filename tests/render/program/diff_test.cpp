@@ -270,3 +270,27 @@ TEST_CASE("--accept replaces what differs, adds what is new and touches nothing 
         CHECK(names_in(folder / "golden") == std::set<std::string>{"changed.exr", "gone.exr", "noise.exr"});
     }
 }
+
+TEST_CASE("figures written with layers are compared by their noise") {
+    const TemporaryFolder folder;
+    REQUIRE(run_program(folder, "shape ellipsoid a.off --triangles 300").status == 0);
+    const auto config = [&](int seed, const char* albedo) {
+        std::ofstream(folder / "c.yaml")
+            << "source: a.off\nshow: shape\nturns: [0]\n"
+            << "picture: {width: 32, height: 32, spp: 32, seed: " << seed << ", albedo: " << albedo << "}\n";
+    };
+    config(1, "[0.7, 0.7, 0.7]");
+    const Run figure = run_program(folder, "figure c.yaml --layers --out golden -q");
+    INFO(figure.err);
+    REQUIRE(figure.status == 0);
+    config(2, "[0.7, 0.7, 0.7]");
+    REQUIRE(run_program(folder, "figure c.yaml --layers --out noise -q").status == 0);
+    config(2, "[0.8, 0.7, 0.7]");
+    REQUIRE(run_program(folder, "figure c.yaml --layers --out change -q").status == 0);
+    const Run noise = run_program(folder, "diff golden/row1-col1.exr noise/row1-col1.exr");
+    CHECK(noise.status == 0);
+    holds(noise.out, "same (statistical");
+    const Run change = run_program(folder, "diff golden/row1-col1.exr change/row1-col1.exr");
+    CHECK(change.status == 1);
+    holds(change.out, "red");
+}
