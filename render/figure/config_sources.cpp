@@ -127,9 +127,9 @@ private:
 
     std::string base_text(const fs::path& base, const YAML::Mark& mark, const Place& place) {
         std::string text;
-        std::error_code error;
+        std::error_code ignored;
         // A pipe or device might never end.
-        if (fs::exists(base, error) && !fs::is_regular_file(base, error))
+        if (fs::exists(base, ignored) && !fs::is_regular_file(base, ignored))
             place.fail(mark, fmt::format("extends: {} is no file", base.string()));
         try {
             text = read_config_text(base);
