@@ -183,7 +183,7 @@ def check_page(browser, page, has_videos):
     check("space plays", browser.value("document.getElementById('position').value") != "α = 0.00")
     browser.press(" ", 32, text=" ")
     check("space pauses", browser.value("document.getElementById('play').textContent") == "Play")
-    browser.value("document.activeElement.blur()")
+    browser.value("document.querySelector('#figure a:last-of-type').focus()")
     browser.press("Tab", 9)
     reached = [browser.value("document.activeElement.id || document.activeElement.tagName")]
     for _ in range(14):
