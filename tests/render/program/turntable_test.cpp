@@ -65,6 +65,7 @@ public:
         const std::string out = logs_ / "out", err = logs_ / "err";
         process_ = ::fork();
         if (process_ != 0) return;
+        for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
         if (::chdir(folder.c_str()) != 0) ::_exit(98);
         ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
         ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
@@ -214,7 +215,7 @@ TEST_CASE("a rerun makes nothing anew but what changed") {
     CHECK(made_by(command + " --frame-range 3-5 --seed 9") == 3);
     CHECK(made_by(command) == 3);
     CHECK(files_in(folder / "t") == first);
-    for (const char* change : {" --spp 8", " --elevation 20", " --start 10", " --up y", " --flat",
+    for (const char* change : {" --spp 8", " --elevation 20", " --start 10", " --up z", " --flat",
                                " --revolutions 2", " --turn-easing smooth", " --margin 0.2", " --fov 30"}) {
         INFO(change);
         CHECK(made_by(command + change) == 12);
