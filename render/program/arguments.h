@@ -53,7 +53,7 @@ struct TurntableArguments {
     std::filesystem::path out = "turntable_.png";  ///< pattern of the numbered frames, or a video
     turntable::TimelineOptions timeline;
     std::string frame_range;          ///< "A-B", "A-", "A"; empty: all
-    std::string up = "z", view;       ///< axes, as parse_axis() reads them; no view: that of the up axis
+    std::string up = "y", view;       ///< axes, as parse_axis() reads them; no view: that of the up axis
     double elevation = 14, fov = 20;  ///< degrees
     double margin = 0.06;             ///< free on each side, fraction of half the picture
     bool flat = false;                ///< facets instead of smooth normals

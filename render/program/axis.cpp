@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <locale>
 #include <sstream>
 
 #include "morph/mesh/errors.h"

@@ -9,8 +9,8 @@ namespace automorph::program {
 /// @throws ConfigError if it is neither, or has no length
 Eigen::Vector3d parse_axis(const std::string& text);
 
-/// Where one looks at a shape whose up axis is given: along y, as the generated heads are seen from the
-/// front, and along -z where y is up, as most modelling programs and glTF have it.
+/// Where one looks at a shape from the front, given its up axis: along -z where y is up, as generated heads,
+/// glTF and most modelling programs have it; along y otherwise.
 Eigen::Vector3d usual_view(const Eigen::Vector3d& up);
 
 }  // namespace automorph::program

@@ -13,8 +13,8 @@ constexpr std::array kLoops{Named<Loop>{"ping-pong", Loop::PingPong}, Named<Loop
 constexpr const char* kExamples = R"(Examples:
   automorph turntable head.ply --out turn/head_.png
       turn/head_000.png ... head_095.png: one revolution that can be played over and over
-  automorph turntable cow.off --up y --out cow.mp4
-      many files have y upwards; frames go to cow_frames/, ffmpeg makes the video
+  automorph turntable scan.stl --up z --out scan.mp4
+      of a file with z upwards; frames go to scan_frames/, ffmpeg makes the video
   automorph turntable a.ply b.ply --revolutions 2 --hold 0.1 --out ab.mp4
       a becomes b and a again, while both turn twice, with a rest at each end
   automorph turntable a.ply b.ply --loop once --revolutions 0 --easing linear --out m_.exr
@@ -72,7 +72,7 @@ void add_picture(CLI::App& command, TurntableArguments& arguments) {
         ->capture_default_str();
     command
         .add_option("--view", arguments.view,
-                    "Where the camera looks at the start, likewise [y, or -z with --up y]")
+                    "Where the camera looks at the start, likewise [-z, or y with --up z]")
         ->type_name("AXIS");
     command.add_option("--elevation", arguments.elevation, "Degrees the camera looks downwards")
         ->type_name("DEG")

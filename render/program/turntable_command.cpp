@@ -1,14 +1,14 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <tuple>
+#include <utility>
 
 #include "morph/mesh/admit.h"
 #include "morph/mesh/errors.h"
@@ -274,7 +274,9 @@ void make_video(const TurntableArguments& arguments, const Targets& targets, tur
 
 }  // namespace
 
-void run(const TurntableArguments& arguments, const Surroundings& surroundings) {
+void run(const TurntableArguments& given, const Surroundings& surroundings) {
+    TurntableArguments arguments = given;
+    if (arguments.target.empty()) arguments.timeline.alpha = 0;
     const Targets targets = targets_of(arguments.out);
     // What can be refused is refused before the work.
     turntable::timeline(arguments.timeline);

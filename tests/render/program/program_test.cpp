@@ -374,7 +374,7 @@ TEST_CASE("the command line arrives in full") {
         {"turntable", "a.off",         "b.off",  "--out",         "t.mp4",      "--frames",
          "12",        "--revolutions", "-1.5",   "--start",       "30",         "--turn-easing",
          "smooth",    "--easing",      "linear", "--loop",        "once",       "--hold",
-         "0.2",       "--up",          "y",      "--view",        "-x",         "--elevation",
+         "0.2",       "--up",          "z",      "--view",        "-x",         "--elevation",
          "30",        "--width",       "320",    "--height",      "200",        "--spp",
          "7",         "--seed",        "5",      "--frame-range", "2-4",        "--fps",
          "30",        "--redo",        "--flat", "--alignment",   "features",   "--interpolation",
@@ -390,7 +390,7 @@ TEST_CASE("the command line arrives in full") {
     CHECK(turning.timeline.loop == turntable::Loop::Once);
     CHECK(turning.timeline.hold == 0.2);
     CHECK_FALSE(turning.timeline.alpha);
-    CHECK(turning.up == "y");
+    CHECK(turning.up == "z");
     CHECK(turning.view == "-x");
     CHECK(turning.elevation == 30);
     CHECK(turning.width == 320);

@@ -65,6 +65,7 @@ public:
         const std::string out = logs_ / "out", err = logs_ / "err";
         process_ = ::fork();
         if (process_ != 0) return;
+        for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
         if (::chdir(folder.c_str()) != 0) ::_exit(98);
         ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
         ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
@@ -88,7 +89,11 @@ public:
     /// False if it ends before.
     bool wait_until_it_catches(int signal) {
         while (is_running()) {
-            std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+            // Before exec, the handlers are still those of the test.
+            const fs::path own = fs::path("/proc") / std::to_string(process_);
+            std::error_code error;
+            if (!fs::equivalent(own / "exe", AUTOMORPH_PROGRAM, error)) continue;
+            std::ifstream status(own / "status");
             for (std::string word; status >> word;) {
                 if (word != "SigCgt:" || !(status >> word)) continue;
                 if ((std::stoull(word, nullptr, 16) >> (signal - 1) & 1) != 0) return true;
@@ -140,6 +145,7 @@ void make_shapes(const TemporaryFolder& folder) {
 }
 
 const std::string kSmall = " -q --frames 12 --width 64 --height 48 --spp 16";
+const std::string kMorph = "turntable a.off b.ply --alignment none" + kSmall;
 
 /// Waits until so many frames are there.
 bool wait_for_frames(Run& run, const fs::path& folder, int count) {
@@ -156,14 +162,14 @@ TEST_CASE("kill -9 at any moment costs the frame in flight, and the rerun makes 
     const TemporaryFolder folder;
     make_shapes(folder);
     for (const std::string extension : {".png", ".exr"}) {
-        const std::string command = "turntable a.off b.ply" + kSmall + " --out ";
+        const std::string command = kMorph + " --out ";
         REQUIRE(status_of(folder, command + "calm/f_" + extension) == 0);
         const auto calm = files_in(folder / "calm");
         REQUIRE(calm.size() == 12);
         int kills = 0;
-        for (int round = 0; round < 6; ++round) {
+        for (int round = 0; round < 4; ++round) {
             Run run(folder.path(), command + "killed/f_" + extension);
-            if (!wait_for_frames(run, folder / "killed", 2 * round)) break;
+            if (!wait_for_frames(run, folder / "killed", 3 * round)) break;
             std::this_thread::sleep_for(std::chrono::milliseconds(3 * round));
             run.send(SIGKILL);
             if (run.wait() == 1000 + SIGKILL) ++kills;
@@ -172,7 +178,7 @@ TEST_CASE("kill -9 at any moment costs the frame in flight, and the rerun makes 
                 if (fs::path(name).extension() == extension) CHECK(bytes == calm.at(name));
             }
         }
-        CHECK(kills >= 3);
+        CHECK(kills >= 2);
         // What a kill between writing and renaming leaves; the process is over.
         const pid_t dead = ::fork();
         if (dead == 0) ::_exit(0);
@@ -214,8 +220,7 @@ TEST_CASE("a rerun makes nothing anew but what changed") {
     CHECK(made_by(command + " --frame-range 3-5 --seed 9") == 3);
     CHECK(made_by(command) == 3);
     CHECK(files_in(folder / "t") == first);
-    for (const char* change : {" --spp 8", " --elevation 20", " --start 10", " --up y", " --flat",
-                               " --revolutions 2", " --turn-easing smooth", " --margin 0.2", " --fov 30"}) {
+    for (const char* change : {" --spp 8", " --start 10", " --up z", " --flat", " --fov 30"}) {
         INFO(change);
         CHECK(made_by(command + change) == 12);
     }
@@ -228,7 +233,7 @@ TEST_CASE("a rerun makes nothing anew but what changed") {
 TEST_CASE("parts of a sequence are those of the whole, and threads do not matter") {
     const TemporaryFolder folder;
     make_shapes(folder);
-    const std::string command = "turntable a.off b.ply" + kSmall;
+    const std::string command = kMorph;
     REQUIRE(status_of(folder, command + " --threads 1 --out whole/f_.png") == 0);
     REQUIRE(status_of(folder, command + " --frame-range 7- --threads 3 --out parts/f_.png") == 0);
     CHECK(count_frames(folder / "parts") == 5);

@@ -1,5 +1,6 @@
 #include "render/turntable/sequence.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -93,10 +94,10 @@ TEST_CASE("only what is missing, damaged or outdated is made, and comes out the 
     picture.width = picture.height = 24;
     picture.spp = 2;
     Sequence sequence;
-    std::string salt = "a";
-    for (int i = 0; i < 5; ++i) sequence.files.push_back(folder / ("f" + std::to_string(i) + ".png"));
+    int version = 1;
+    for (int i = 0; i < 5; ++i) sequence.files.push_back(folder / (std::to_string(i) + ".png"));
     sequence.last = 4;
-    sequence.inputs = [&](int frame) { return salt + std::to_string(frame); };
+    sequence.inputs = [&](int frame) { return std::to_string(version) + " " + std::to_string(frame); };
     Stage stage({mesh.F, [V = mesh.V](double) { return V; }}, moments, picture);
 
     std::vector<double> fractions;
@@ -126,7 +127,7 @@ TEST_CASE("only what is missing, damaged or outdated is made, and comes out the 
     make_frames(stage, moments, sequence, open, {});
     for (std::size_t i = 0; i < 5; ++i) CHECK(content(sequence.files[i]) == before[i]);
 
-    salt = "b";
+    version = 2;
     CHECK(open_frames(sequence).size() == 5);
     sequence.first = 2;
     CHECK(open_frames(sequence).size() == 3);
