@@ -4,7 +4,7 @@
 
 #include "morph/mesh/errors.h"
 #include "render/figure/figure.h"
-#include "render/image/compare.h"
+#include "render/compare/difference.h"
 #include "render/image/image_file.h"
 #include "tests/catch.h"
 #include "tests/render/temporary_folder.h"
