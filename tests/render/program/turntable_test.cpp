@@ -220,7 +220,7 @@ TEST_CASE("a rerun makes nothing anew but what changed") {
     CHECK(made_by(command + " --frame-range 3-5 --seed 9") == 3);
     CHECK(made_by(command) == 3);
     CHECK(files_in(folder / "t") == first);
-    for (const char* change : {" --spp 8", " --start 10", " --up z", " --flat", " --fov 30"}) {
+    for (const char* change : {" --elevation 20", " --start 10", " --up z", " --flat", " --fov 30"}) {
         INFO(change);
         CHECK(made_by(command + change) == 12);
     }
