@@ -9,7 +9,7 @@
 /// The golden pictures of the figures: one place for the test and for making them anew.
 namespace golden {
 
-/// "fig1" ... "fig8", "materials".
+/// "fig1" ... "fig8".
 const std::vector<std::string>& names();
 
 /// configs/<name>.yaml, with coarser meshes and three columns where it has generated heads.
