@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "morph/mesh/errors.h"
-#include "render/figure/figure.h"
 #include "render/compare/difference.h"
+#include "render/figure/figure.h"
 #include "render/image/image_file.h"
 #include "tests/catch.h"
 #include "tests/render/temporary_folder.h"

@@ -109,7 +109,13 @@ TEST_CASE("the summary tells what was found, and says so when the registration i
     report.registration.converged = true;
     report.registration.rotation = {0, -1, 0, 1, 0, 0, 0, 0, 1};
     report.registration.confident = true;
-    report.maps = {{"source", "mean value", "cotangent weights flipped 3 triangles", 0, 0.25, 0.1, 1e-12}};
+    MapReport& map = report.maps.emplace_back();
+    map.of = "source";
+    map.weights = "mean value";
+    map.reason = "cotangent weights flipped 3 triangles";
+    map.p01 = 0.25;
+    map.smallest_ratio = 0.1;
+    map.residual = 1e-12;
     report.notes = {"a note"};
     report.stages = {{"registration", 0.5, 10}, {"overlay", 0.25, 30}};
     const std::string sure = meshes_summary(report) + morph_summary(report);
