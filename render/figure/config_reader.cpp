@@ -83,12 +83,19 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
     return row[b.size()];
 }
 
-/// "; did you mean 'x'?" where one of the names is near enough to be a misspelling.
+bool begins(const std::string& text, const std::string& with) {
+    return text.compare(0, with.size(), with) == 0;
+}
+
+/// "; did you mean 'x'?" where one of the names is near enough to be a misspelling, or one begins the other.
 std::string suggestion(const std::string& name, const std::vector<std::string>& names) {
     std::string best;
     std::size_t smallest = std::max<std::size_t>(2, name.size() / 2) + 1;
     for (const std::string& each : names) {
-        const std::size_t distance = edit_distance(name, each);
+        constexpr std::size_t kLeastStem = 3;
+        const bool stem =
+            std::min(name.size(), each.size()) >= kLeastStem && (begins(each, name) || begins(name, each));
+        const std::size_t distance = stem ? 1 : edit_distance(name, each);
         if (distance < smallest) {
             smallest = distance;
             best = each;

@@ -32,6 +32,16 @@ Json empty_mapping() {
     return {{"type", "object"}, {"additionalProperties", false}, {"properties", Json::object()}};
 }
 
+/// Choices as editors see them in YAML: `8` is a number there, `true` a boolean.
+Json choices_schema(const ConfigKey& key) {
+    Json choices = Json::array();
+    for (const std::string& choice : key.choices) {
+        const Json plain = Json::parse(choice, nullptr, false);
+        choices.push_back(plain.is_number() || plain.is_boolean() ? plain : Json(choice));
+    }
+    return choices;
+}
+
 Json value_schema(const ConfigKey& key) {
     switch (key.type) {
         case ConfigKey::Type::Text:
@@ -44,7 +54,7 @@ Json value_schema(const ConfigKey& key) {
         case ConfigKey::Type::Boolean:
             return {{"type", "boolean"}};
         case ConfigKey::Type::Choice:
-            return {{"enum", key.choices}};
+            return {{"enum", choices_schema(key)}};
         case ConfigKey::Type::Numbers: {
             Json list = {
                 {"type", "array"}, {"items", number_schema(key)}, {"minItems", std::max(1, key.count)}};

@@ -97,8 +97,11 @@ void Stage::frame(const std::vector<double>& alphas, const std::vector<Moment>& 
     const auto [least, most] =
         std::minmax_element(moments.begin(), moments.end(),
                             [](const Moment& a, const Moment& b) { return a.degrees < b.degrees; });
+    // A loop leaves out the frame that would be its first again: it goes all round, nevertheless.
+    const double step =
+        moments.size() > 1 ? (most->degrees - least->degrees) / static_cast<double>(moments.size() - 1) : 0.0;
     const render::Sweep sweep{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), least->degrees,
-                              most->degrees};
+                              most->degrees + step};
     double radius = 0, height = 0;
     for (const double alpha : alphas) {
         const Points V = standing(alpha);

