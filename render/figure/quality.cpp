@@ -10,6 +10,7 @@ void draft(PictureConfig& picture, VideoConfig& video) {
     picture.width = std::max(picture.width / 2, std::min(picture.width, kFewestPixels));
     picture.height = std::max(picture.height / 2, std::min(picture.height, kFewestPixels));
     picture.spp = std::max(picture.spp / 8, std::min(picture.spp, kLeastSpp));
+    picture.denoise = true;
     video.fps *= static_cast<double>(std::min(video.frames, kFrames)) / std::max(video.frames, 1);
     video.fps = std::max(video.fps, 1.0);
     video.frames = std::min(video.frames, kFrames);

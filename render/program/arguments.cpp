@@ -71,7 +71,8 @@ void add_figure(CLI::App& app, FigureArguments& arguments) {
         ->type_name("X")
         ->check(CLI::Range(0.01, 100.0));
     add_choice(*command, "--quality", arguments.quality, kQualities,
-               "draft: half the size, few paths, no turntable; final: twice the size, four times the paths");
+               "draft: half the size, few paths, denoised, no turntable; final: twice the size, four times "
+               "the paths");
     command->add_option("--rows", arguments.rows, "Only these rows; the camera stays that of all")
         ->type_name("1,3-4");
     command->add_option("--cells", arguments.cells, "Only these columns")->type_name("1-3");

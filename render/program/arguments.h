@@ -40,7 +40,7 @@ struct MorphArguments {
     std::filesystem::path out;             ///< a .glb, or the pattern of the numbered frames; empty: neither
     double seconds = 2.0;                  ///< that a .glb plays, one way
     bool ping_pong = false;                ///< of a .glb
-    UpAxis up = UpAxis::Z;                 ///< of a .glb
+    UpAxis up = UpAxis::Y;                 ///< of a .glb
     std::filesystem::path correspondence;  ///< CSV; empty: not written
     std::filesystem::path report;          ///< JSON; empty: not written
     MorphOptions options;

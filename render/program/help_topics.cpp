@@ -24,7 +24,7 @@ Without meshes at hand, make some:
 
     automorph shape head a.ply --preset asian --crop face
     automorph shape head b.ply --preset broad --crop face
-    automorph morph a.ply b.ply --out m.glb --up y
+    automorph morph a.ply b.ply --out m.glb
 
 Rendered rows and sheets of cells come from a config:
 
@@ -94,8 +94,8 @@ constexpr HelpTopic kOutputFiles{"output-files", "What 'automorph morph' writes"
 morph target, and an animation of --seconds (with --ping-pong, there and back).
 The rigid part of the morph is the turn and move of a node, the rest the weight
 of the morph target: exactly the frames that --out m_.ply would write, at any
-time. --up says which axis of your meshes points up (glTF's own is y): z is the
-default, heads and faces often have y.
+time. --up says which axis of your meshes points up: y, as in most scans and in
+glTF itself, or z.
 
 --out m_.ply (.off, .obj, .stl) gives --frames numbered meshes, the first equal
 to the source, the last to the target, all with the same triangles: the
@@ -117,8 +117,8 @@ constexpr HelpTopic kBlender{"blender", "A morph in Blender, three.js and viewer
                              R"(    automorph morph a.obj b.obj --out m.glb
 
 Blender: File > Import > glTF 2.0, then play. The animation takes 48 frames at
-24 per second (--seconds 2). World coordinates are those of your mesh files,
-unless --up y stood the shape up. The shape key "target" is the morph, the
+24 per second (--seconds 2). Shapes stand upright; with --up z, world
+coordinates are those of your mesh files. The shape key "target" is the morph, the
 object's rotation and location its rigid part.
 
 Debian 12's Blender 3.4 stops with "module 'numpy' has no attribute 'bool'" on

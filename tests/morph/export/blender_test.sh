@@ -18,7 +18,7 @@ cd "$work"
 awk 'NR == 2 { vertices = $1 }
      NR > 2 && NR <= 2 + vertices { print 2 * $2 + 5, 2 * $3 - 3, 2 * $1 + 1; next }
      { print }' star.off >b.off
-"$automorph" -q morph a.off b.off --out m.glb
+"$automorph" -q morph a.off b.off --up z --out m.glb
 "$automorph" -q morph a.off b.off --frames 3 --out m_.ply
 HOME=$work blender -b --factory-startup --python-exit-code 1 --python "$here/blender_check.py" -- \
     m.glb m_000.ply m_001.ply m_002.ply

@@ -7,7 +7,8 @@ namespace golden {
 using namespace automorph;
 
 const std::vector<std::string>& names() {
-    static const std::vector<std::string> all{"fig1", "fig2", "fig3", "fig4", "fig5", "fig6", "fig7", "fig8"};
+    static const std::vector<std::string> all{"fig1", "fig2", "fig3", "fig4",     "fig5",
+                                              "fig6", "fig7", "fig8", "materials"};
     return all;
 }
 

@@ -348,11 +348,11 @@ TEST_CASE("the command line arrives in full") {
     CHECK(morph.options.seed == 77);
 
     const auto animated = command_of<MorphArguments>(
-        {"morph", "a", "b", "--out", "m.glb", "--seconds", "0.5", "--ping-pong", "--up", "y"});
+        {"morph", "a", "b", "--out", "m.glb", "--seconds", "0.5", "--ping-pong", "--up", "z"});
     CHECK(animated.out == fs::path("m.glb"));
     CHECK(animated.seconds == 0.5);
     CHECK(animated.ping_pong);
-    CHECK(animated.up == UpAxis::Y);
+    CHECK(animated.up == UpAxis::Z);
 
     const auto plain = command_of<MorphArguments>({"morph", "a.obj", "b.ply"});
     CHECK(plain.frames == 5);
@@ -362,7 +362,7 @@ TEST_CASE("the command line arrives in full") {
     CHECK(plain.options.lift);
     CHECK(plain.seconds == 2);
     CHECK_FALSE(plain.ping_pong);
-    CHECK(plain.up == UpAxis::Z);
+    CHECK(plain.up == UpAxis::Y);
 
     const auto features = command_of<MorphArguments>({"morph", "a", "b", "--alignment", "features"});
     CHECK(features.options.alignment == Alignment::Features);
