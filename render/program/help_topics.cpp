@@ -118,8 +118,8 @@ constexpr HelpTopic kBlender{"blender", "A morph in Blender, three.js and viewer
 
 Blender: File > Import > glTF 2.0, then play. The animation takes 48 frames at
 24 per second (--seconds 2). Shapes stand upright; with --up z, world
-coordinates are those of your mesh files. The shape key "target" is the morph, the
-object's rotation and location its rigid part.
+coordinates are those of your mesh files. The shape key "target" is the morph,
+the object's rotation and location its rigid part.
 
 Debian 12's Blender 3.4 stops with "module 'numpy' has no attribute 'bool'" on
 any glTF file with normals. In the import dialog, set Shading to Smooth Shading.
