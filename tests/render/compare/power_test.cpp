@@ -126,7 +126,7 @@ TEST_CASE("shading is compared more sharply where the seed is the same") {
 }
 
 // The table in render/compare/README.md: build/release/tests/compare_test "[.power]"
-TEST_CASE("how many of 10 seeds show each change, at three sizes", "[.power]") {
+TEST_CASE("how many of 10 seeds show each change, at three sizes", "[.power][sweep]") {
     for (const power::Settings settings : {power::Settings{48, 16}, {64, 32}, {96, 64}}) {
         std::printf("%d x %d, %d samples\n", settings.size, settings.size, settings.spp);
         for (const Change change : power::kChanges) {

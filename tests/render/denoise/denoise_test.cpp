@@ -48,7 +48,7 @@ double relative_error(const Image& image, const Image& reference) {
 
 }  // namespace
 
-TEST_CASE("clay in the studio comes much nearer to the truth") {
+TEST_CASE("clay in the studio comes much nearer to the truth", "[sweep]") {
     const RenderResult noisy = studio_sphere(16, clay()), truth = studio_sphere(1024, clay());
     const double before = relative_error(noisy.image, truth.image);
     const double after = relative_error(denoise(noisy.image, *noisy.layers), truth.image);
