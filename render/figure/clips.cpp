@@ -30,11 +30,6 @@ Film film_of(const FigureConfig& config) {
     return {size.width, size.height, config.video.spp};
 }
 
-/// Tells what is done; `fraction` of the whole task.
-void tell(const FigureOptions& options, const std::string& task, double fraction) {
-    if (options.progress) options.progress(task, fraction);
-}
-
 /// One camera for the loops of all rows.
 Shooting loop_shooting(const FigureConfig& config, const FigureOptions& options, const Figure& figure) {
     ShootingPlan plan(config.picture, options, film_of(config));
@@ -75,16 +70,13 @@ Clip row_clip(const FigureConfig& config, const Shooting& shooting, const Figure
     clip.height = shooting.height;
     clip.frames = static_cast<int>(shown.size());
     Subject subject(shooting, row.motion.at(0), row.motion.morph->triangles());
+    const Progress& progress = shooting.options.progress;
     std::vector<VideoFrame> pictures;
     for (const int still : stills) {
         const auto before = static_cast<double>(pictures.size()), count = static_cast<double>(stills.size());
         const double alpha = loop_alpha(still, frames);
-        const FigureCell cell = subject.shoot(
-            row.motion.at(alpha),
-            [&](double fraction) {
-                tell(shooting.options, task, std::min((before + fraction) / count, 0.999));
-            },
-            static_cast<std::uint32_t>(still));
+        const FigureCell cell = subject.shoot(row.motion.at(alpha), progress.part(task, before, count),
+                                              static_cast<std::uint32_t>(still));
         clip.alphas.push_back(alpha);
         clip.stills.push_back(render::jpeg_data_uri(cell.image, kStillQuality));
         clip.seconds += cell.seconds;
@@ -92,7 +84,7 @@ Clip row_clip(const FigureConfig& config, const Shooting& shooting, const Figure
     }
     if (encodes) encode(pictures, shown, config.video.fps, folder / clip.name);
     clip.encoded = encodes;
-    tell(shooting.options, task, 1);
+    progress(task, 1);
     return clip;
 }
 
@@ -145,19 +137,16 @@ Clip turntable_clip(const FigureConfig& config, const FigureOptions& options, co
     VideoEncoder encoder(folder / clip.name, clip.width, clip.height, config.video.fps);
     for (int i = 0; i < config.video.turntable; ++i) {
         if (!options.frames.has(static_cast<std::size_t>(i))) continue;
-        const FigureCell cell = subject.shoot(
-            table.frame(i),
-            [&](double fraction) {
-                tell(options, task, std::min((i + fraction) / config.video.turntable, 0.999));
-            },
-            static_cast<std::uint32_t>(i));
+        const FigureCell cell =
+            subject.shoot(table.frame(i), options.progress.part(task, i, config.video.turntable),
+                          static_cast<std::uint32_t>(i));
         clip.seconds += cell.seconds;
         ++clip.frames;
         encoder.add(video_frame(cell.image));
     }
     encoder.finish();
     clip.encoded = true;
-    tell(options, task, 1);
+    options.progress(task, 1);
     return clip;
 }
 

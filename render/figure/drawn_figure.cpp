@@ -50,15 +50,13 @@ void picture_shape(const FigureConfig& config, const FigureOptions& options, Fig
     Subject subject(shooting, shape.mesh.V, shape.mesh.F);
     for (std::size_t i = 0; i < sides.size(); ++i) {
         if (!options.cells.has(i)) continue;
-        FigureCell cell = subject.shoot(sides[i], [&](double fraction) {
-            const double done = (static_cast<double>(i) + fraction) / static_cast<double>(sides.size());
-            if (options.progress) options.progress("pictures", std::min(done, 0.999));
-        });
+        FigureCell cell = subject.shoot(sides[i], options.progress.part("pictures", static_cast<double>(i),
+                                                                        static_cast<double>(sides.size())));
         cell.label = fmt::format("{}\u00b0", config.turns[i]);
         cell.column = i;
         row.cells.push_back(std::move(cell));
     }
-    if (options.progress) options.progress("pictures", 1);
+    options.progress("pictures", 1);
 }
 
 std::vector<FigureCell> draw_borders(const Shooting& shooting, const InputMesh& source,
@@ -96,14 +94,14 @@ void draw_panels(const FigureConfig& config, const FigureOptions& options, Figur
         if (!options.rows.has(i)) continue;
         const RowConfig& config_row = config.rows[i];
         const std::string task = fmt::format("row {} ({})", i + 1, config_row.label);
-        if (options.progress) options.progress(task, 0);
+        options.progress(task, 0);
         FigureRow& row = figure.rows.emplace_back();
         row.config = config_row;
         row.number = i;
         row.morph = figure.morphs.size();
         row.cells =
             draw_features(shooting, source, target, config.seed, config_row, figure.morphs.emplace_back());
-        if (options.progress) options.progress(task, 1);
+        options.progress(task, 1);
     }
 }
 

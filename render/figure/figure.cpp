@@ -22,10 +22,6 @@
 namespace automorph {
 namespace {
 
-void tell(const Progress& progress, const std::string& task, double fraction) {
-    if (progress) progress(task, fraction);
-}
-
 /// Rows with the same options share their morph.
 bool same_morph(const RowConfig& a, const RowConfig& b) {
     return a.alignment == b.alignment && a.openings == b.openings && a.domain == b.domain &&
@@ -52,9 +48,9 @@ struct RowFrames {
 std::vector<RowFrames> compute_rows(const FigureConfig& config, const FigureOptions& options,
                                     Figure& figure) {
     const Stopwatch loading;
-    tell(options.progress, "meshes", 0);
+    options.progress("meshes", 0);
     const InputMesh source = make_mesh(config.source, "source"), target = make_mesh(config.target, "target");
-    tell(options.progress, "meshes", 1);
+    options.progress("meshes", 1);
     figure.load_seconds = loading.seconds();
 
     const Stopwatch morphing;
@@ -71,13 +67,13 @@ std::vector<RowFrames> compute_rows(const FigureConfig& config, const FigureOpti
             continue;
         }
         const std::string task = fmt::format("morph of row {} ({})", i + 1, row.config.label);
-        tell(options.progress, task, 0);
+        options.progress(task, 0);
         row.motion = {
             std::make_shared<const Morph>(morph(source, target, row.config.morph_options(config.seed))),
             row.config.interpolation};
         row.morph = figure.morphs.size();
         figure.morphs.push_back(row.motion.morph->report());
-        tell(options.progress, task, 1);
+        options.progress(task, 1);
     }
     for (const FigureRow& row : figure.rows) figure.motions.push_back(row.motion);
     figure.morph_seconds = morphing.seconds();
@@ -100,7 +96,7 @@ void check_rows(const FigureOptions& options, Figure& figure) {
     const std::string task = "checking frames";
     std::size_t done = 0;
     for (FigureRow& row : figure.rows) {
-        tell(options.progress, task, static_cast<double>(done++) / static_cast<double>(figure.rows.size()));
+        options.progress(task, static_cast<double>(done++) / static_cast<double>(figure.rows.size()));
         const auto same = std::find_if(figure.rows.begin(), figure.rows.end(), [&](const FigureRow& other) {
             return !other.frames.empty() && other.morph == row.morph &&
                    other.config.interpolation == row.config.interpolation;
@@ -112,7 +108,7 @@ void check_rows(const FigureOptions& options, Figure& figure) {
             check_frames_of(row, figure.morphs[row.morph]);
         }
     }
-    tell(options.progress, task, 1);
+    options.progress(task, 1);
     figure.check_seconds = checking.seconds();
 }
 
@@ -129,17 +125,14 @@ void render_row(const Shooting& shooting, const RowFrames& frames, const std::op
     for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
         if (!options.cells.has(i)) continue;
         if (scale) subject.color(frames.numbers[i], *scale);
-        FigureCell cell = subject.shoot(sequence.frames[i], [&](double fraction) {
-            // The row is done when the call returns with its last cell, not before.
-            tell(options.progress, task, std::min((done + fraction) / count, 0.999));
-        });
+        FigureCell cell = subject.shoot(sequence.frames[i], options.progress.part(task, done, count));
         ++done;
         cell.alpha = sequence.alphas[i];
         cell.column = i;
         cell.label = "\u03b1 = " + fraction_text(cell.alpha);
         row.cells.push_back(std::move(cell));
     }
-    tell(options.progress, task, 1);
+    options.progress(task, 1);
 }
 
 void render_morphs(const FigureConfig& config, const FigureOptions& options, Figure& figure) {

@@ -51,18 +51,15 @@ void picture_looks(const FigureConfig& config, const FigureOptions& options, Fig
                                     .height = of_stage.height,
                                     .spp = of_stage.spp,
                                     .sky = of_stage.sky};
-            FigureCell cell =
-                Subject(shooting, shape.mesh.V, shape.mesh.F).shoot(shape.mesh.V, [&](double fraction) {
-                    if (options.progress)
-                        options.progress("pictures", std::min((before + fraction) / count, 0.999));
-                });
+            FigureCell cell = Subject(shooting, shape.mesh.V, shape.mesh.F)
+                                  .shoot(shape.mesh.V, options.progress.part("pictures", before, count));
             cell.label = look.label;
             cell.column = j;
             row.cells.push_back(std::move(cell));
             ++before;
         }
     }
-    if (options.progress) options.progress("pictures", 1);
+    options.progress("pictures", 1);
 }
 
 }  // namespace automorph

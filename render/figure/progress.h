@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <type_traits>
@@ -9,7 +10,7 @@ namespace automorph {
 
 /// Called while something takes time: what is being done, the finished fraction in [0, 1] and, where there is
 /// more to tell, a detail such as "frame 3 of 96, 4.1 M rays/s". A task begins with its first call and ends
-/// with the call at 1. Never called from two threads at once. May be empty.
+/// with the call at 1. Never called from two threads at once. An empty one tells nobody.
 class Progress {
 public:
     Progress() = default;
@@ -29,9 +30,17 @@ public:
 
     explicit operator bool() const { return static_cast<bool>(tell_); }
 
-    /// @pre not empty
     void operator()(const std::string& task, double fraction, const std::string& detail = {}) const {
-        tell_(task, fraction, detail);
+        if (tell_) tell_(task, fraction, detail);
+    }
+
+    /// For one of the `count` parts that a task consists of, told its own finished fraction. The task is done
+    /// when the call at 1 says so, not with the last part.
+    /// @param done  parts before this one
+    std::function<void(double)> part(const std::string& task, double done, double count) const {
+        return [this, task, done, count](double fraction) {
+            (*this)(task, std::min((done + fraction) / count, 0.999));
+        };
     }
 
 private:

@@ -29,7 +29,7 @@ void write_frames(const MorphArguments& arguments, const Morph& result, const Pr
     for (int i = 0; i < arguments.frames; ++i) {
         const double alpha = static_cast<double>(i) / (arguments.frames - 1);
         write_mesh(numbered(arguments.out, i, arguments.frames), result.mesh(alpha, arguments.interpolation));
-        if (progress) progress("frames", static_cast<double>(i + 1) / arguments.frames);
+        progress("frames", static_cast<double>(i + 1) / arguments.frames);
     }
 }
 

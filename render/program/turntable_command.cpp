@@ -148,7 +148,7 @@ turntable::Shape rigid_shape(const fs::path& file, const Surroundings& surroundi
 }
 
 turntable::Shape morphing_shape(const TurntableArguments& arguments, const Surroundings& surroundings) {
-    if (surroundings.progress) surroundings.progress("morph", 0);
+    surroundings.progress("morph", 0);
     // Both at one size and one place, as in figures.
     MeshConfig source, target;
     source.file = arguments.source;
@@ -157,7 +157,7 @@ turntable::Shape morphing_shape(const TurntableArguments& arguments, const Surro
     options.seed = arguments.seed;
     const auto result = std::make_shared<const Morph>(
         morph(make_mesh(source, "source"), make_mesh(target, "target"), options));
-    if (surroundings.progress) surroundings.progress("morph", 1);
+    surroundings.progress("morph", 1);
     if (!surroundings.quiet)
         fmt::print("{}{}", meshes_summary(result->report()), morph_summary(result->report()));
     for (const std::string& doubt : doubts(result->report())) surroundings.warn(doubt);
@@ -265,11 +265,11 @@ void make_video(const TurntableArguments& arguments, const Targets& targets, tur
     };
     if (!arguments.redo && fs::exists(targets.video) && fs::exists(record) && file_content(record) == state())
         return;
-    if (surroundings.progress) surroundings.progress("video", 0);
+    surroundings.progress("video", 0);
     turntable::encode_video(targets.video, ffmpeg_pattern(targets.pattern, arguments.timeline.frames),
                             options);
     write_text_file(record, state());
-    if (surroundings.progress) surroundings.progress("video", 1);
+    surroundings.progress("video", 1);
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ std::vector<MadeFrame> make_frames(Stage& stage, const std::vector<Moment>& mome
         made.push_back({frame, result.wall_seconds, result.rays, result.bad_samples});
         if (told) told(made.back());
     }
-    if (progress && !frames.empty()) progress("turntable", 1);
+    if (!frames.empty()) progress("turntable", 1);
     return made;
 }
 
