@@ -1,7 +1,5 @@
 #include "render/figure/looks.h"
 
-#include <algorithm>
-
 #include "render/figure/mesh_source.h"
 #include "render/figure/stopwatch.h"
 #include "render/figure/subject.h"
