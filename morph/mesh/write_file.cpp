@@ -85,6 +85,19 @@ void write_file(const fs::path& file, std::string_view bytes) {
     }
 }
 
+void make_folder(const fs::path& folder) {
+    if (folder.empty()) return;
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (!error && !fs::is_directory(folder)) error = std::make_error_code(std::errc::not_a_directory);
+    if (!error && ::access(folder.c_str(), W_OK | X_OK) != 0)
+        error = std::error_code(errno, std::generic_category());
+    if (error) {
+        throw IoError(
+            fmt::format("{}: cannot be used as output folder: {}", folder.string(), error.message()));
+    }
+}
+
 void remove_leftovers(const fs::path& folder, const std::function<bool(const std::string& name)>& is_ours) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, error)) {

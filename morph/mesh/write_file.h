@@ -13,6 +13,10 @@ namespace automorph {
 ///         stays as it was
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
+/// Makes the folder and those above it; an empty path is the working directory.
+/// @throws IoError naming the folder and the system's reason, also where files cannot be made in it
+void make_folder(const std::filesystem::path& folder);
+
 /// The name under which `file` is written before it is renamed: `file` with ".<process>-<number>.part" behind
 /// it. No other writer on this machine takes it.
 std::filesystem::path name_aside(const std::filesystem::path& file);

@@ -7,11 +7,11 @@
 #include <memory>
 #include <numbers>
 
+#include "morph/mesh/write_file.h"
 #include "render/figure/stopwatch.h"
 #include "render/figure/subject.h"
-#include "render/figure/text_file.h"
-#include "render/figure/video_encoder.h"
 #include "render/image/image_file.h"
+#include "render/video/video_encoder.h"
 
 namespace automorph {
 namespace {
@@ -42,9 +42,14 @@ Shooting loop_shooting(const FigureConfig& config, const FigureOptions& options,
     return shooting;
 }
 
+/// Browsers and editors play one or the other.
+std::vector<std::filesystem::path> video_files(const std::filesystem::path& folder, const std::string& name) {
+    return {folder / (name + ".mp4"), folder / (name + ".webm")};
+}
+
 void encode(const std::vector<VideoFrame>& stills, const std::vector<int>& still_of_frame, double fps,
-            const std::filesystem::path& stem) {
-    VideoEncoder encoder(stem, stills.front().width, stills.front().height, fps);
+            const std::vector<std::filesystem::path>& files) {
+    VideoEncoder encoder(files, stills.front().width, stills.front().height, fps);
     for (const int still : still_of_frame) encoder.add(stills[static_cast<std::size_t>(still)]);
     encoder.finish();
 }
@@ -82,7 +87,7 @@ Clip row_clip(const FigureConfig& config, const Shooting& shooting, const Figure
         clip.seconds += cell.seconds;
         pictures.push_back(video_frame(cell.image));
     }
-    if (encodes) encode(pictures, shown, config.video.fps, folder / clip.name);
+    if (encodes) encode(pictures, shown, config.video.fps, video_files(folder, clip.name));
     clip.encoded = encodes;
     progress(task, 1);
     return clip;
@@ -134,7 +139,7 @@ Clip turntable_clip(const FigureConfig& config, const FigureOptions& options, co
     clip.width = shooting.width;
     clip.height = shooting.height;
     Subject subject(shooting, row.motion.at(0), row.motion.morph->triangles());
-    VideoEncoder encoder(folder / clip.name, clip.width, clip.height, config.video.fps);
+    VideoEncoder encoder(video_files(folder, clip.name), clip.width, clip.height, config.video.fps);
     for (int i = 0; i < config.video.turntable; ++i) {
         if (!options.frames.has(static_cast<std::size_t>(i))) continue;
         const FigureCell cell =

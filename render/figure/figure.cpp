@@ -8,6 +8,7 @@
 
 #include "morph/frame_check.h"
 #include "morph/mesh/errors.h"
+#include "morph/mesh/write_file.h"
 #include "render/figure/drawn_figure.h"
 #include "render/figure/frames.h"
 #include "render/figure/looks.h"
@@ -16,7 +17,6 @@
 #include "render/figure/sheet.h"
 #include "render/figure/stopwatch.h"
 #include "render/figure/subject.h"
-#include "render/figure/text_file.h"
 #include "render/image/image_file.h"
 
 namespace automorph {
@@ -272,8 +272,8 @@ void write_figure(const FigureConfig& config, const Figure& figure, const std::f
     }
     render::write_png(folder / "sheet.png", figure_sheet(config, figure), sheet_metadata(config),
                       {render::ToneCurve::Srgb, config.picture.bits});
-    write_text_file(folder / "metrics.json", metrics_json(config, figure));
-    write_text_file(folder / "index.html", page_html(config, figure));
+    write_file(folder / "metrics.json", metrics_json(config, figure));
+    write_file(folder / "index.html", page_html(config, figure));
 }
 
 }  // namespace automorph

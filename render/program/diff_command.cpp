@@ -10,7 +10,7 @@
 #include <system_error>
 
 #include "morph/mesh/errors.h"
-#include "render/figure/text_file.h"
+#include "morph/mesh/write_file.h"
 #include "render/program/commands.h"
 #include "render/program/diff_report.h"
 #include "render/program/picture_diff.h"
@@ -183,7 +183,7 @@ DiffStatus diff(const DiffArguments& arguments, bool quiet) {
     write_pictures(pairs, diffs, arguments);
     if (!arguments.report.empty()) {
         make_folder(arguments.report.parent_path());
-        write_text_file(arguments.report, diff_json(diffs, arguments));
+        write_file(arguments.report, diff_json(diffs, arguments));
     }
     if (!arguments.accept) return status_of(diffs);
     accept(pairs, diffs, arguments.mode, quiet);

@@ -4,9 +4,9 @@
 #include <map>
 
 #include "morph/mesh/errors.h"
+#include "morph/mesh/write_file.h"
 #include "render/figure/clips.h"
 #include "render/figure/figure.h"
-#include "render/figure/text_file.h"
 #include "render/program/commands.h"
 #include "render/program/figure_plan.h"
 #include "render/program/summary.h"
@@ -37,7 +37,11 @@ std::vector<Job> jobs_of(const FigureArguments& arguments) {
         jobs.push_back(std::move(job));
     }
     if (arguments.dry_run) return jobs;
-    for (const Job& job : jobs) make_folder(job.folder);
+    for (const Job& job : jobs) {
+        make_folder(job.folder);
+        remove_leftovers(job.folder,
+                         [](const std::string&) { return true; });  // the folder is the figure's own
+    }
     return jobs;
 }
 

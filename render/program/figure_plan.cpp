@@ -8,7 +8,7 @@
 #include "morph/shapes/shapes.h"
 #include "render/figure/clips.h"
 #include "render/figure/subject.h"
-#include "render/figure/video_encoder.h"
+#include "render/video/video_encoder.h"
 
 namespace automorph::program {
 namespace {

@@ -2,10 +2,10 @@
 
 #include "morph/mesh/errors.h"
 #include "morph/mesh/io.h"
+#include "morph/mesh/write_file.h"
 #include "morph/shapes/head.h"
 #include "morph/shapes/shapes.h"
 #include "render/figure/config.h"
-#include "render/figure/text_file.h"
 #include "render/program/commands.h"
 
 namespace automorph::program {

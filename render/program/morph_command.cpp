@@ -4,8 +4,8 @@
 #include "morph/frame_check.h"
 #include "morph/mesh/errors.h"
 #include "morph/mesh/io.h"
+#include "morph/mesh/write_file.h"
 #include "morph/morph.h"
-#include "render/figure/text_file.h"
 #include "render/program/commands.h"
 #include "render/program/frame_files.h"
 #include "render/program/summary.h"
@@ -62,11 +62,11 @@ void run(const MorphArguments& arguments, const Surroundings& surroundings) {
     std::string written;
     if (!arguments.out.empty()) written += write_morph(arguments, result, surroundings.progress);
     if (!arguments.correspondence.empty()) {
-        write_text_file(arguments.correspondence, points_csv(result.correspondence()));
+        write_file(arguments.correspondence, points_csv(result.correspondence()));
         written += arguments.correspondence.string() + "\n";
     }
     if (!arguments.report.empty()) {
-        write_text_file(arguments.report, report_json(report_with_frames(result, arguments.interpolation)));
+        write_file(arguments.report, report_json(report_with_frames(result, arguments.interpolation)));
         written += arguments.report.string() + "\n";
     }
     if (surroundings.quiet) return;

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "morph/mesh/errors.h"
+#include "morph/mesh/write_file.h"
 #include "render/compare/exact.h"
 #include "render/compare/pictures.h"
-#include "render/figure/text_file.h"
 #include "render/image/image_file.h"
 
 namespace automorph::program {

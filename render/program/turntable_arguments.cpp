@@ -1,14 +1,8 @@
 #include "render/program/option_groups.h"
+#include "render/program/timeline_names.h"
 
 namespace automorph::program {
 namespace {
-
-using turntable::Easing;
-using turntable::Loop;
-
-constexpr std::array kEasings{Named<Easing>{"linear", Easing::Linear},
-                              Named<Easing>{"smooth", Easing::Smooth}};
-constexpr std::array kLoops{Named<Loop>{"ping-pong", Loop::PingPong}, Named<Loop>{"once", Loop::Once}};
 
 constexpr const char* kExamples = R"(Examples:
   automorph turntable head.ply --out turn/head_.png

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -15,19 +16,21 @@
 #include "morph/mesh/mend.h"
 #include "morph/mesh/triangulate.h"
 #include "morph/mesh/write_file.h"
+#include "morph/mesh/write_gate.h"
 #include "render/figure/mesh_source.h"
 #include "render/figure/names.h"
 #include "render/figure/stopwatch.h"
-#include "render/figure/text_file.h"
 #include "render/image/content_hash.h"
+#include "render/image/image_file.h"
 #include "render/program/axis.h"
 #include "render/program/commands.h"
 #include "render/program/frame_files.h"
 #include "render/program/interrupt.h"
 #include "render/program/summary.h"
+#include "render/program/timeline_names.h"
 #include "render/program/version.h"
-#include "render/turntable/encode.h"
 #include "render/turntable/sequence.h"
+#include "render/video/video_encoder.h"
 
 namespace automorph::program {
 namespace {
@@ -62,8 +65,24 @@ std::string file_content(const fs::path& file) {
     return bytes;
 }
 
+turntable::StageOptions stage_options(const TurntableArguments& arguments, int threads) {
+    turntable::StageOptions options;
+    options.up = parse_axis(arguments.up);
+    options.view = arguments.view.empty() ? usual_view(options.up) : parse_axis(arguments.view);
+    options.elevation = arguments.elevation;
+    options.fov = arguments.fov;
+    options.margin = arguments.margin;
+    options.normals = arguments.flat ? render::Normals::Flat : render::Normals::Smooth;
+    options.width = arguments.width;
+    options.height = arguments.height;
+    options.spp = arguments.spp;
+    options.seed = arguments.seed;
+    options.threads = threads;
+    return options;
+}
+
 /// All that every frame depends on.
-Json common_inputs(const TurntableArguments& arguments) {
+Json common_inputs(const TurntableArguments& arguments, const turntable::StageOptions& stage) {
     const auto hash = [](const fs::path& mesh) { return render::content_hash(file_content(mesh)); };
     Json json;
     json["version"] = version();
@@ -80,43 +99,25 @@ Json common_inputs(const TurntableArguments& arguments) {
     json["frames"] = timeline.frames;
     json["start"] = timeline.start;
     json["revolutions"] = timeline.revolutions;
-    json["turn_easing"] = timeline.turn_easing == turntable::Easing::Linear ? "linear" : "smooth";
+    json["turn_easing"] = name_of(kEasings, timeline.turn_easing);
     if (timeline.alpha) {
         json["alpha"] = *timeline.alpha;
     } else {
-        json["loop"] = timeline.loop == turntable::Loop::Once ? "once" : "ping-pong";
-        json["easing"] = timeline.morph_easing == turntable::Easing::Linear ? "linear" : "smooth";
+        json["loop"] = name_of(kLoops, timeline.loop);
+        json["easing"] = name_of(kEasings, timeline.morph_easing);
         json["hold"] = timeline.hold;
     }
-    const Eigen::Vector3d up = parse_axis(arguments.up);
-    const Eigen::Vector3d view = arguments.view.empty() ? usual_view(up) : parse_axis(arguments.view);
-    json["up"] = {up.x(), up.y(), up.z()};
-    json["view"] = {view.x(), view.y(), view.z()};
-    json["elevation"] = arguments.elevation;
-    json["fov"] = arguments.fov;
-    json["margin"] = arguments.margin;
-    json["normals"] = arguments.flat ? "flat" : "smooth";
-    json["width"] = arguments.width;
-    json["height"] = arguments.height;
-    json["spp"] = arguments.spp;
-    json["seed"] = arguments.seed;
+    json["up"] = {stage.up.x(), stage.up.y(), stage.up.z()};
+    json["view"] = {stage.view.x(), stage.view.y(), stage.view.z()};
+    json["elevation"] = stage.elevation;
+    json["fov"] = stage.fov;
+    json["margin"] = stage.margin;
+    json["normals"] = name_of(kNormals, stage.normals);
+    json["width"] = stage.width;
+    json["height"] = stage.height;
+    json["spp"] = stage.spp;
+    json["seed"] = stage.seed;
     return json;
-}
-
-turntable::StageOptions stage_options(const TurntableArguments& arguments, int threads) {
-    turntable::StageOptions options;
-    options.up = parse_axis(arguments.up);
-    options.view = arguments.view.empty() ? usual_view(options.up) : parse_axis(arguments.view);
-    options.elevation = arguments.elevation;
-    options.fov = arguments.fov;
-    options.margin = arguments.margin;
-    options.normals = arguments.flat ? render::Normals::Flat : render::Normals::Smooth;
-    options.width = arguments.width;
-    options.height = arguments.height;
-    options.spp = arguments.spp;
-    options.seed = arguments.seed;
-    options.threads = threads;
-    return options;
 }
 
 /// A mesh alone need not be fit for morphing to be turned: handles, several parts and so on are welcome.
@@ -166,12 +167,13 @@ turntable::Shape morphing_shape(const TurntableArguments& arguments, const Surro
             }};
 }
 
-turntable::Sequence sequence_of(const TurntableArguments& arguments, const fs::path& pattern) {
+turntable::Sequence sequence_of(const TurntableArguments& arguments, const turntable::StageOptions& stage,
+                                const fs::path& pattern) {
     turntable::Sequence sequence;
     const int count = arguments.timeline.frames;
     std::tie(sequence.first, sequence.last) = turntable::frame_range(arguments.frame_range, count);
     for (int frame = 0; frame < count; ++frame) sequence.files.push_back(numbered(pattern, frame, count));
-    sequence.inputs = [common = common_inputs(arguments)](int frame) {
+    sequence.inputs = [common = common_inputs(arguments, stage)](int frame) {
         Json json = common;
         json["frame"] = frame;
         return json.dump();
@@ -187,19 +189,22 @@ void clean_up(const turntable::Sequence& sequence, const fs::path& video) {
     remove_leftovers(sequence.files.front().parent_path(),
                      [&](const std::string& name) { return names.count(name) > 0; });
     if (video.empty()) return;
-    const std::string own = video.filename().string(), record = own + ".txt";
-    remove_leftovers(video.parent_path(), [&](const std::string& name) { return name == own; });
+    const std::string own = video.filename().string(), record = own + ".txt",
+                      log = video.stem().string() + ".log";
+    remove_leftovers(video.parent_path(),
+                     [&](const std::string& name) { return name == own || name == log; });
     remove_leftovers(sequence.files.front().parent_path(),
                      [&](const std::string& name) { return name == record; });
 }
 
-void make_missing(const TurntableArguments& arguments, const turntable::Sequence& sequence,
-                  const std::vector<turntable::OpenFrame>& open, const Surroundings& surroundings) {
+void make_missing(const TurntableArguments& arguments, const turntable::StageOptions& options,
+                  const turntable::Sequence& sequence, const std::vector<turntable::OpenFrame>& open,
+                  const Surroundings& surroundings) {
     const std::vector<turntable::Moment> moments = turntable::timeline(arguments.timeline);
     turntable::Shape shape = arguments.target.empty() ? rigid_shape(arguments.source, surroundings)
                                                       : morphing_shape(arguments, surroundings);
     const Stopwatch staging;
-    turntable::Stage stage(std::move(shape), moments, stage_options(arguments, surroundings.threads));
+    turntable::Stage stage(std::move(shape), moments, options);
     const render::Camera camera = stage.camera(0);
     surroundings.debug(fmt::format("stage set in {:.2f} s; the camera is at ({:.4g} {:.4g} {:.4g})",
                                    staging.seconds(), camera.position.x(), camera.position.y(),
@@ -223,18 +228,18 @@ void make_missing(const TurntableArguments& arguments, const turntable::Sequence
     }
 }
 
-/// ffmpeg's pattern of the frames.
-std::string ffmpeg_pattern(const fs::path& pattern, int count) {
-    const auto escaped = [](const std::string& text) {
-        std::string result;
-        for (const char c : text) result += c == '%' ? std::string("%%") : std::string(1, c);
-        return result;
-    };
-    const std::size_t digits =
-        numbered(pattern, 0, count).stem().string().size() - pattern.stem().string().size();
-    const std::string parent = pattern.has_parent_path() ? pattern.parent_path().string() + "/" : "./";
-    return fmt::format("file:{}{}%0{}d{}", escaped(parent), escaped(pattern.stem().string()), digits,
-                       pattern.extension().string());
+/// Makes a video of finished frames.
+void encode(const std::vector<fs::path>& frames, double fps, const fs::path& video,
+            const Progress& progress) {
+    const UnbrokenWrite whole;
+    std::optional<VideoEncoder> encoder;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const VideoFrame frame = video_frame(render::read_image(frames[i]).image);
+        if (!encoder) encoder.emplace(std::vector{video}, frame.width, frame.height, fps);
+        encoder->add(frame);
+        progress("video", static_cast<double>(i) / static_cast<double>(frames.size()));
+    }
+    encoder->finish();
 }
 
 /// Makes the video unless it is up to date. A text file beside the frames tells what it was made of.
@@ -250,25 +255,23 @@ void make_video(const TurntableArguments& arguments, const Targets& targets, tur
         }
         return;
     }
-    if (!turntable::can_encode()) {
+    if (!has_ffmpeg()) {
         throw IoError(
             fmt::format("{}: not made, since there is no ffmpeg; install it (apt-get install ffmpeg) "
                         "and run the same command again: the frames are in {}",
                         targets.video.string(), targets.pattern.parent_path().string()));
     }
-    const turntable::VideoOptions options{arguments.fps, arguments.timeline.frames};
     const fs::path record = targets.pattern.parent_path() / (targets.video.filename().string() + ".txt");
     const auto state = [&] {
-        return fmt::format("{}\n{}\n{}\n", sequence.inputs(0),
-                           turntable::encoder_settings(targets.video, options),
+        return fmt::format("{}\n{} frames at {} fps, {}\n{}\n", sequence.inputs(0), sequence.files.size(),
+                           arguments.fps, encoder_settings(targets.video),
                            render::content_hash(file_content(targets.video)));
     };
     if (!arguments.redo && fs::exists(targets.video) && fs::exists(record) && file_content(record) == state())
         return;
     surroundings.progress("video", 0);
-    turntable::encode_video(targets.video, ffmpeg_pattern(targets.pattern, arguments.timeline.frames),
-                            options);
-    write_text_file(record, state());
+    encode(sequence.files, arguments.fps, targets.video, surroundings.progress);
+    write_file(record, state());
     surroundings.progress("video", 1);
 }
 
@@ -280,10 +283,11 @@ void run(const TurntableArguments& given, const Surroundings& surroundings) {
     const Targets targets = targets_of(arguments.out);
     // What can be refused is refused before the work.
     turntable::timeline(arguments.timeline);
-    turntable::check(stage_options(arguments, surroundings.threads));
-    const turntable::Sequence sequence = sequence_of(arguments, targets.pattern);
+    const turntable::StageOptions stage = stage_options(arguments, surroundings.threads);
+    turntable::check(stage);
+    const turntable::Sequence sequence = sequence_of(arguments, stage, targets.pattern);
     make_folder(targets.pattern.parent_path());
-    if (!targets.video.empty() && !turntable::can_encode())
+    if (!targets.video.empty() && !has_ffmpeg())
         surroundings.warn("there is no ffmpeg: frames will be made, but no video");
     clean_up(sequence, targets.video);
     set_stop_advice("; the same command again goes on, finished frames are kept");
@@ -298,7 +302,7 @@ void run(const TurntableArguments& given, const Surroundings& surroundings) {
             surroundings.debug(fmt::format("frame {}: {}", each.frame, turntable::words(each.state)));
     }
     if (!open.empty()) {
-        make_missing(arguments, sequence, open, surroundings);
+        make_missing(arguments, stage, sequence, open, surroundings);
     } else if (!surroundings.quiet) {
         fmt::print("frames        all {} are finished and kept\n", sequence.last - sequence.first + 1);
     }

@@ -10,8 +10,8 @@
 #include "morph/morph.h"
 #include "morph/shapes/shapes.h"
 #include "tests/catch.h"
+#include "tests/files.h"
 #include "tests/morph/export/glb_reader.h"
-#include "tests/render/temporary_folder.h"
 
 using namespace automorph;
 using test::GlbFile;

@@ -1,15 +1,13 @@
 #include "render/figure/clips.h"
 
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "morph/mesh/errors.h"
-#include "render/figure/video_encoder.h"
+#include "render/video/video_encoder.h"
 #include "tests/catch.h"
-#include "tests/render/temporary_folder.h"
+#include "tests/files.h"
+#include "tests/render/video/programs.h"
 
 using namespace automorph;
 namespace fs = std::filesystem;
@@ -26,44 +24,6 @@ alphas: [0, 1]
 picture: {width: 40, height: 30, spp: 1}
 video: {frames: 6, size: 32, spp: 2, turntable: 4}
 )";
-
-std::string content(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-std::set<std::string> names_in(const fs::path& folder) {
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
-    return names;
-}
-
-/// What ffmpeg's second program finds in a video: codec, pixels, size, frames.
-std::string probed(const fs::path& file) {
-    const fs::path found = file.string() + ".txt";
-    const std::string command =
-        "ffprobe -v error -count_frames -select_streams v -show_entries "
-        "stream=codec_name,pix_fmt,width,height,nb_read_frames -of csv=p=0 '" +
-        file.string() + "' >'" + found.string() + "'";
-    REQUIRE(std::system(command.c_str()) == 0);
-    return content(found);
-}
-
-VideoFrame plain_frame(int width, int height, std::uint8_t gray) {
-    return {width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(3 * width * height), gray)};
-}
-
-/// For as long as it lives, programs are looked for in this folder only.
-class PathOnly {
-public:
-    explicit PathOnly(const fs::path& folder) : before_(std::getenv("PATH")) {
-        ::setenv("PATH", folder.c_str(), 1);
-    }
-    ~PathOnly() { ::setenv("PATH", before_.c_str(), 1); }
-
-private:
-    std::string before_;
-};
 
 }  // namespace
 
@@ -148,36 +108,6 @@ TEST_CASE("without ffmpeg there are stills but no videos, and the reason is told
     REQUIRE(figure.rows[0].clip);
     CHECK(figure.rows[0].clip->stills.size() == 4);
     CHECK_FALSE(figure.rows[0].clip->encoded);
-    CHECK_THROWS_AS(VideoEncoder(folder / "v", 16, 16, 10), IoError);
+    CHECK_THROWS_AS(VideoEncoder({folder / "v.mp4"}, 16, 16, 10), IoError);
     CHECK(names_in(folder.path()) == std::set<std::string>{"out"});
-}
-
-TEST_CASE("an encoder that gives up is an error with its reason, and leaves nothing behind") {
-    const TemporaryFolder folder;
-    const fs::path programs = folder / "programs", videos = folder / "videos";
-    fs::create_directories(programs);
-    fs::create_directories(videos);
-    std::ofstream(programs / "ffmpeg") << "#!/bin/sh\necho 'no such codec' >&2\nexit 1\n";
-    fs::permissions(programs / "ffmpeg", fs::perms::owner_all);
-    const PathOnly fake(programs);
-    try {
-        VideoEncoder encoder(videos / "v", 64, 64, 10);
-        for (int i = 0; i < 100; ++i) encoder.add(plain_frame(64, 64, 0));
-        encoder.finish();
-        FAIL("no error");
-    } catch (const IoError& error) {
-        CHECK(std::string(error.what()) ==
-              (videos / "v.mp4").string() + ": ffmpeg cannot make the video: no such codec");
-    }
-    CHECK(names_in(videos).empty());
-}
-
-TEST_CASE("a video that is not finished leaves nothing behind") {
-    if (!has_ffmpeg()) return;
-    const TemporaryFolder folder;
-    {
-        VideoEncoder encoder(folder / "v", 64, 64, 10);
-        encoder.add(plain_frame(64, 64, 200));
-    }
-    CHECK(names_in(folder.path()).empty());
 }

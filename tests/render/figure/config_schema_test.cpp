@@ -1,14 +1,13 @@
 #include <yaml-cpp/yaml.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <string>
 
 #include "render/figure/config.h"
 #include "tests/catch.h"
+#include "tests/files.h"
 
 // The JSON Schema for editors agrees with the table that reads configs. A small validator of what the schema
 // uses stands in for an editor.
@@ -100,11 +99,6 @@ std::string misfit(const Json& value, const Json& schema, const std::string& pat
 std::string misfit(const std::string& yaml) {
     static const Json kSchema = Json::parse(config_schema());
     return misfit(json_of(YAML::Load(yaml)), kSchema, "config");
-}
-
-std::string content(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "render/figure/quality.h"
 #include "render/figure/selection.h"
 #include "tests/catch.h"
-#include "tests/render/temporary_folder.h"
+#include "tests/files.h"
 
 // What a config is made of besides its own text: configs it extends, keys from the command line, qualities.
 

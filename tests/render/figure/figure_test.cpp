@@ -1,20 +1,18 @@
 #include "render/figure/figure.h"
 
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "morph/mesh/errors.h"
 #include "morph/mesh/io.h"
+#include "morph/mesh/write_file.h"
 #include "morph/shapes/shapes.h"
 #include "render/figure/frames.h"
 #include "render/figure/mesh_source.h"
 #include "render/figure/page.h"
-#include "render/figure/text_file.h"
 #include "render/image/image_file.h"
 #include "tests/catch.h"
-#include "tests/render/temporary_folder.h"
+#include "tests/files.h"
 
 using namespace automorph;
 namespace fs = std::filesystem;
@@ -31,17 +29,6 @@ rows:
 alphas: [0, 1/2, 1]
 picture: {width: 40, height: 32, spp: 2}
 )";
-
-std::string content(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-std::set<std::string> names_in(const fs::path& folder) {
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
-    return names;
-}
 
 }  // namespace
 
@@ -307,20 +294,20 @@ TEST_CASE("files of any unit and place are fitted to one size about the origin")
 
 TEST_CASE("text files are written whole or not at all") {
     const TemporaryFolder folder;
-    write_text_file(folder / "a.txt", "first");
-    write_text_file(folder / "a.txt", "second");
+    write_file(folder / "a.txt", "first");
+    write_file(folder / "a.txt", "second");
     CHECK(content(folder / "a.txt") == "second");
     CHECK(names_in(folder.path()) == std::set<std::string>{"a.txt"});
 
-    CHECK_THROWS_AS(write_text_file(folder / "no/such/folder/a.txt", "x"), IoError);
+    CHECK_THROWS_AS(write_file(folder / "no/such/folder/a.txt", "x"), IoError);
     fs::create_directories(folder / "taken/inside");
-    CHECK_THROWS_AS(write_text_file(folder / "taken", "x"), IoError);
+    CHECK_THROWS_AS(write_file(folder / "taken", "x"), IoError);
     CHECK(names_in(folder.path()) == std::set<std::string>{"a.txt", "taken"});
 }
 
 TEST_CASE("an output folder that cannot be is an IoError that names it") {
     const TemporaryFolder folder;
-    write_text_file(folder / "file", "x");
+    write_file(folder / "file", "x");
     CHECK_NOTHROW(make_folder(folder / "a/b/c"));
     CHECK(fs::is_directory(folder / "a/b/c"));
     CHECK_NOTHROW(make_folder(folder / "a/b/c"));

@@ -1,7 +1,7 @@
 #include "tests/render/figure/golden.h"
+#include "morph/mesh/write_file.h"
 #include "render/compare/pictures.h"
 #include "render/compare/same_seed.h"
-#include "render/figure/text_file.h"
 #include "render/image/image_file.h"
 #include "tests/catch.h"
 

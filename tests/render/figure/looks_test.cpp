@@ -7,7 +7,7 @@
 #include "render/figure/figure.h"
 #include "render/image/image_file.h"
 #include "tests/catch.h"
-#include "tests/render/temporary_folder.h"
+#include "tests/files.h"
 
 using namespace automorph;
 

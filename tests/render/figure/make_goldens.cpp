@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "render/figure/text_file.h"
+#include "morph/mesh/write_file.h"
 #include "render/image/image_file.h"
 #include "tests/render/figure/golden.h"
 

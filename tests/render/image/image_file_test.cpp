@@ -6,12 +6,12 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <random>
 
 #include "morph/mesh/errors.h"
 #include "tests/catch.h"
+#include "tests/files.h"
 
 using namespace automorph;
 using namespace automorph::render;
@@ -34,11 +34,6 @@ Image noise(int width, int height, int channels) {
     std::mt19937 random(1);
     for (float& x : image.pixels) x = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
     return image;
-}
-
-std::string content(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 // IEC 61966-2-1, independent of the library's table.

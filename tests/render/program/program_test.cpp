@@ -20,7 +20,7 @@
 #include "render/program/summary.h"
 #include "render/program/terminal_progress.h"
 #include "tests/catch.h"
-#include "tests/render/temporary_folder.h"
+#include "tests/files.h"
 
 using namespace automorph;
 using namespace automorph::program;

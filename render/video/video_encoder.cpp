@@ -1,4 +1,4 @@
-#include "render/figure/video_encoder.h"
+#include "render/video/video_encoder.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -18,6 +18,7 @@
 #include <sstream>
 
 #include "morph/mesh/errors.h"
+#include "morph/mesh/write_file.h"
 #include "render/image/image_file.h"
 
 namespace automorph {
@@ -25,26 +26,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Frames come as raw RGB on standard input. One thread each, since the number of threads changes the bits;
-/// bitexact leaves out versions. Colours are those of BT.709, and tagged so, or players guess.
-std::vector<std::string> arguments_of(int width, int height, double fps, const fs::path& mp4,
-                                      const fs::path& webm) {
-    std::vector<std::string> all{"ffmpeg", "-hide_banner", "-nostdin", "-loglevel", "error", "-y"};
-    const auto add = [&](const std::string& words) {
-        std::istringstream stream(words);
-        all.insert(all.end(), std::istream_iterator<std::string>(stream), {});
-    };
-    add(fmt::format("-f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate {} -i pipe:0", width,
-                    height, fps));
-    const std::string colors =
-        "-map 0:v -vf "
-        "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format=yuv420p "
-        "-colorspace bt709 -color_primaries bt709 -color_trc iec61966-2-1 -color_range tv -threads 1 "
-        "-fflags +bitexact -flags:v +bitexact";
-    add(colors + " -c:v libx264 -preset medium -crf 19 -movflags +faststart -f mp4");
-    all.push_back(mp4.string());
-    add(colors + " -c:v libvpx-vp9 -crf 30 -b:v 0 -deadline good -cpu-used 3 -row-mt 0 -f webm");
-    all.push_back(webm.string());
+bool is_webm(const fs::path& file) {
+    return file.extension() == ".webm";
+}
+
+std::vector<std::string> split(const std::string& words) {
+    std::istringstream stream(words);
+    return {std::istream_iterator<std::string>(stream), {}};
+}
+
+/// Frames come as raw RGB on standard input.
+std::vector<std::string> arguments_of(const std::vector<VideoFile>& files, int width, int height,
+                                      double fps) {
+    std::vector<std::string> all =
+        split(fmt::format("ffmpeg -hide_banner -nostdin -loglevel error -y -f rawvideo -pixel_format rgb24 "
+                          "-video_size {}x{} -framerate {} -i pipe:0",
+                          width, height, fps));
+    for (const VideoFile& each : files) {
+        const std::vector<std::string> settings = split(encoder_settings(each.file));
+        all.insert(all.end(), settings.begin(), settings.end());
+        // Names that begin with a dash or hold a colon are no options or protocols behind a folder.
+        all.push_back(fs::absolute(each.aside).string());
+    }
     return all;
 }
 
@@ -73,21 +76,25 @@ bool has_ffmpeg() {
     return false;
 }
 
-VideoEncoder::VideoEncoder(const fs::path& stem, int width, int height, double frames_per_second)
+std::string encoder_settings(const fs::path& file) {
+    // One thread each, since the number of threads changes the bits; bitexact leaves out versions. Players
+    // want even sides. Colours are those of BT.709, and tagged so, or players guess.
+    return std::string(
+               "-map 0:v -vf pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,"
+               "scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int,format=yuv420p "
+               "-colorspace bt709 -color_primaries bt709 -color_trc iec61966-2-1 -color_range tv -threads 1 "
+               "-fflags +bitexact -flags:v +bitexact ") +
+           (is_webm(file) ? "-c:v libvpx-vp9 -crf 28 -b:v 0 -deadline good -cpu-used 3 -row-mt 0 -f webm"
+                          : "-c:v libx264 -preset medium -crf 18 -movflags +faststart -f mp4");
+}
+
+VideoEncoder::VideoEncoder(const std::vector<fs::path>& files, int width, int height,
+                           double frames_per_second)
     : width_(width), height_(height) {
-    assert(width % 2 == 0 && height % 2 == 0);
-    for (const char* extension : {".mp4", ".webm"}) {
-        Part part{stem, stem};
-        part.file += extension;
-        part.aside += fmt::format("{}.{}.part", extension, ::getpid());
-        parts_.push_back(part);
-    }
-    log_ = stem;
-    log_ += fmt::format(".log.{}.part", ::getpid());
-    // Names that begin with a dash or hold a colon are no options or protocols behind a folder.
-    const auto path = [](const fs::path& file) { return fs::absolute(file); };
-    std::vector<std::string> words =
-        arguments_of(width, height, frames_per_second, path(parts_[0].aside), path(parts_[1].aside));
+    assert(!files.empty());
+    for (const fs::path& file : files) parts_.push_back({file, name_aside(file)});
+    log_ = name_aside(fs::path(files.front()).replace_extension(".log"));
+    std::vector<std::string> words = arguments_of(parts_, width, height, frames_per_second);
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
@@ -130,7 +137,9 @@ void VideoEncoder::add(const VideoFrame& frame) {
 
 void VideoEncoder::finish() {
     if (wait() != 0) fail();
-    for (const Part& part : parts_) {
+    std::error_code ignored;
+    fs::remove(log_, ignored);
+    for (const VideoFile& part : parts_) {
         std::error_code error;
         fs::rename(part.aside, part.file, error);
         if (error)
@@ -162,7 +171,7 @@ void VideoEncoder::discard() noexcept {
     if (process_ >= 0) ::kill(process_, SIGKILL);
     wait();
     std::error_code ignored;
-    for (const Part& part : parts_) fs::remove(part.aside, ignored);
+    for (const VideoFile& part : parts_) fs::remove(part.aside, ignored);
     fs::remove(log_, ignored);
 }
 

@@ -21,14 +21,23 @@ VideoFrame video_frame(const render::Image& image);
 /// Whether the program `ffmpeg` is in the PATH.
 bool has_ffmpeg();
 
-/// Writes one video twice by the program ffmpeg: STEM.mp4 (H.264, 4:2:0, begins to play while it loads) and
-/// STEM.webm (VP9). The files are written aside and renamed by finish(); without it nothing is left. With the
-/// same ffmpeg, equal frames give equal files, whatever the machine.
+/// What ffmpeg is told for a file, by its extension: codec, quality, colours.
+std::string encoder_settings(const std::filesystem::path& file);
+
+/// A video while it is made, and what it is then called.
+struct VideoFile {
+    std::filesystem::path file, aside;
+};
+
+/// Writes one video into one or several files by the program ffmpeg: .webm is VP9, all else MP4 with H.264
+/// that begins to play while it loads; odd sides get a white pixel more. The files are written aside and
+/// renamed by finish(); without it nothing is left, and what a killed process leaves is known to
+/// remove_leftovers(). With the same ffmpeg, equal frames give equal files, whatever the machine.
 class VideoEncoder {
 public:
-    /// @pre width and height are even
     /// @throws IoError ffmpeg cannot be started
-    VideoEncoder(const std::filesystem::path& stem, int width, int height, double frames_per_second);
+    VideoEncoder(const std::vector<std::filesystem::path>& files, int width, int height,
+                 double frames_per_second);
     ~VideoEncoder();
     VideoEncoder(const VideoEncoder&) = delete;
     VideoEncoder& operator=(const VideoEncoder&) = delete;
@@ -40,14 +49,11 @@ public:
     void finish();
 
 private:
-    struct Part {
-        std::filesystem::path file, aside;
-    };
     int wait();
     [[noreturn]] void fail();
     void discard() noexcept;
 
-    std::vector<Part> parts_;
+    std::vector<VideoFile> parts_;
     std::filesystem::path log_;
     int width_, height_;
     int process_ = -1, pipe_ = -1;
