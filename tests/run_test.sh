@@ -28,7 +28,7 @@ new_machine() {  # everything installed, nothing built, root unless $user says o
     rm -rf "${work:?}"/*
     mkdir -p "$work/bin" "$work/project/tests" "$work/elsewhere"
     local tool
-    for tool in bash sh env cat dirname readlink mkdir mktemp rm mv grep awk nproc tar gzip touch; do
+    for tool in bash sh env cat dirname readlink mkdir mktemp rm mv grep sed awk nproc tar gzip touch; do
         ln -s "$(command -v "$tool")" "$work/bin/$tool"
     done
     # The example meshes, should this machine have them, are out of the way.
@@ -137,6 +137,10 @@ check "a config that names example meshes gets them" test -e "$work/project/buil
 check "no part is left" test -z "$(compgen -G "$work/project/build/meshes.part*")"
 call figure heads.yaml
 check "they are fetched once" test "$(grep -c 'apt-get.*download' "$work/calls")" = 2
+rm -r "$work/project/build/meshes"
+printf 'extends: "../elsewhere/heads.yaml"  # and more\n' >"$work/elsewhere/more.yaml"
+call figure more.yaml
+check "so does a config that extends it" test -e "$work/project/build/meshes/lion-head.off"
 
 new_machine
 echo ffmpeg >"$work/missing"

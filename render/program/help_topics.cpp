@@ -78,11 +78,15 @@ has them in /usr/share/automorph/configs.
 constexpr HelpTopic kFigures{"figures", "Rendered figures",
                              R"(    automorph figure my.yaml                        into out/my
     automorph figure my.yaml --out results
-    automorph figure my.yaml --spp 4 --scale 0.5    a quick look
+    automorph figure my.yaml --quality draft        a quick look
+    automorph figure my.yaml --dry-run              what, and how long
 
-The folder holds sheet.png, every cell as EXR (linear, all layers) and PNG,
-and metrics.json with what the morph found, used and measured. The same
-config and seed give the same pixels, whatever the number of threads.
+Open index.html in the folder: a page with all rows, a slider through the
+morph, videos and measurements, which needs no network. Beside it lie sheet.png
+for print, every cell as EXR (linear; with --layers normals, depth and more)
+and PNG, videos of each row and of one turning, if ffmpeg is installed, and
+metrics.json with what the morph found, used and measured. The same config and
+seed give the same pixels, whatever the number of threads.
 
 picture.spp is the number of light paths per pixel: noise halves with four
 times as many. picture.up is the direction that points up, z unless said

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <random>
+#include <string_view>
 #include <vector>
 
 #include "morph/mesh/errors.h"
@@ -59,7 +60,7 @@ NoisyImage even_picture(int size, int spp, unsigned seed, float factor = 1.0f) {
                    [=](std::mt19937& random, int, int, int) { return factor * even(random); });
 }
 
-const TestResult& test_named(const Comparison& comparison, const std::string& name) {
+const TestResult& test_named(const Comparison& comparison, std::string_view name) {
     for (const TestResult& test : comparison.tests) {
         if (test.name == name) return test;
     }
