@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "morph/mesh/connectivity.h"
 #include "morph/mesh/errors.h"
 #include "morph/open_pair.h"
@@ -16,10 +18,8 @@ namespace {
 
 ShapeMap map_onto_sphere(const InputMesh& shape) {
     const SphereMap map = sphere_map(shape.mesh);
-    return {shape.mesh,
-            shape.mesh.triangle_count(),
-            {},
-            map.rays,
+    const auto triangles = static_cast<std::size_t>(shape.mesh.triangle_count());
+    return {{shape.mesh, std::vector<char>(triangles, 0), {}, map.rays},
             report_of(shape.report.name, "progressive", map.quality)};
 }
 
@@ -28,7 +28,9 @@ ShapeMap map_onto_disk(const InputMesh& shape) {
     FilledShape filled = filled_shape(shape.mesh, {loops.begin() + 1, loops.end()});
     const Eigen::VectorXd angles = arc_length_angles(loop_points(shape.mesh, loops[0]), 0);
     const DiskMap map = disk_map(filled.shape.mesh, loops[0], border_rays(angles));
-    return {std::move(filled.shape.mesh), shape.mesh.triangle_count(), loops[0], map.rays,
+    std::vector<char> is_filling(static_cast<std::size_t>(filled.shape.mesh.triangle_count()), 1);
+    std::fill_n(is_filling.begin(), shape.mesh.triangle_count(), 0);
+    return {{std::move(filled.shape.mesh), std::move(is_filling), loops[0], map.rays},
             report_of(shape.report.name, map)};
 }
 

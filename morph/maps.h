@@ -1,5 +1,6 @@
 #pragma once
 
+#include "morph/domain_map.h"
 #include "morph/mesh/mesh.h"
 #include "morph/morph.h"
 #include "morph/parameterization/border_union.h"
@@ -8,12 +9,8 @@
 /// The method's intermediate results for their own sake: what Figs. 2 and 3 of [Urtasun04] show.
 namespace automorph {
 
-/// A shape alone on its domain.
-struct ShapeMap {
-    Mesh mesh;              ///< its vertices first; openings other than the border are filled
-    int own_triangles = 0;  ///< triangles beyond these are fillings
-    std::vector<int> loop;  ///< border; empty of a closed shape
-    Points rays;            ///< #V x 3: (x, y, 1) on the unit disk, or unit vectors on the sphere
+/// A shape alone on its domain; the shape's own vertices come first, and so do its triangles.
+struct ShapeMap : DomainMap {
     MapReport report;
 };
 

@@ -145,6 +145,9 @@ MergedPair merge_maps(const Shape& shape_a, const MappedPart& a, const Shape& sh
                                .turned_b = on_b.turned,
                                .flattened_a = on_a.vertices,
                                .flattened_b = on_b.vertices});
+    result.maps.push_back({{a.mesh, filling_a, a.loop, a.rays},
+                           {std::move(b.mesh), filling_b, std::move(b.loop), std::move(b.rays)},
+                           label.empty() ? label : label.substr(1)});
     return result;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "morph/domain_map.h"
 #include "morph/overlay/overlay.h"
 #include "morph/parameterization/map_quality.h"
 #include "morph/report.h"
@@ -32,6 +33,7 @@ struct MergedPair {
     Points points_a, points_b;     ///< #merged x 3: there, curved by Eq. (9)-(11) or on the flat facets
     std::vector<int> border;  ///< merged vertices of the border in the order of a's loop; empty without one
     std::vector<char> in_filling;  ///< per merged triangle: it lies in a filled opening of either shape
+    std::vector<DomainMaps> maps;  ///< that were overlaid: one pair, or one per half
 };
 
 /// Per triangle of a part: it lies in a filled opening, i.e. one of its corners is the centre of a filling.

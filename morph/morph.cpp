@@ -72,6 +72,7 @@ public:
     Triangles triangles;
     Endpoints ends;
     Points correspondence;
+    std::vector<DomainMaps> maps;  ///< if they are kept
 
 private:
     bool registers() const { return options_.alignment != Alignment::None; }
@@ -328,6 +329,7 @@ private:
                 all.F(first.F.rows() + f, k) = vertex[static_cast<std::size_t>(second.F(f, k))];
         }
         all.in_filling.insert(all.in_filling.end(), second.in_filling.begin(), second.in_filling.end());
+        all.maps.insert(all.maps.end(), second.maps.begin(), second.maps.end());
         all.border.clear();
         return all;
     }
@@ -349,6 +351,7 @@ private:
 
     void place_ends() {
         const StageClock clock(report_, "placement");
+        if (options_.keep_maps) maps = std::move(merged_.maps);
         triangles = merged_.F;
         ends.a = merged_.points_a;
         ends.b = merged_.points_b;
@@ -416,6 +419,10 @@ Points Morph::correspondence() const {
     return correspondence_;
 }
 
+const std::vector<DomainMaps>& Morph::maps() const {
+    return maps_;
+}
+
 const Endpoints& Morph::endpoints() const {
     return ends_;
 }
@@ -431,6 +438,7 @@ Morph morph(const InputMesh& source, const InputMesh& target, const MorphOptions
     result.triangles_ = std::move(computation.triangles);
     result.ends_ = std::move(computation.ends);
     result.correspondence_ = std::move(computation.correspondence);
+    result.maps_ = std::move(computation.maps);
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "morph/alignment/options.h"
+#include "morph/domain_map.h"
 #include "morph/features/align.h"
 #include "morph/interpolation/interpolation.h"
 #include "morph/mesh/mesh.h"
@@ -49,6 +50,7 @@ struct MorphOptions {
     NonRigidOptions nonrigid = {};  ///< of Alignment::Dense
     bool lift = true;  ///< curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise
     std::uint64_t seed = 1;
+    bool keep_maps = false;  ///< fills Morph::maps(); about a third of the memory of the morph itself
 };
 
 /// A mesh that is ready to be morphed, with the file's own vertex numbering kept.
@@ -75,6 +77,10 @@ public:
     /// rows of vertices that no triangle uses are NaN. #(file vertices of the source) x 3
     Points correspondence() const;
 
+    /// The maps whose overlay the morph is: one pair, or one per half of shapes that were cut; empty unless
+    /// MorphOptions::keep_maps.
+    const std::vector<DomainMaps>& maps() const;
+
     const Endpoints& endpoints() const;
     const Report& report() const;
 
@@ -83,6 +89,7 @@ private:
     Triangles triangles_;
     Endpoints ends_;
     Points correspondence_;
+    std::vector<DomainMaps> maps_;
     Report report_;
 };
 

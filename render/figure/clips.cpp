@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "morph/mesh/write_file.h"
+#include "render/figure/row_subject.h"
 #include "render/figure/stopwatch.h"
-#include "render/figure/subject.h"
 #include "render/image/image_file.h"
 #include "render/video/video_encoder.h"
 
@@ -54,9 +54,26 @@ void encode(const std::vector<VideoFrame>& stills, const std::vector<int>& still
     encoder.finish();
 }
 
+/// By what frames of a row are coloured.
+class FrameColors {
+public:
+    FrameColors(const FigureConfig& config, const Motion& motion) : field_(config.picture.color) {
+        if (field_ != ColorField::None) source_ = {motion.morph->endpoints().a, motion.morph->triangles()};
+    }
+
+    /// Empty if by nothing.
+    Eigen::VectorXd of(const Points& frame) const {
+        return field_ == ColorField::None ? Eigen::VectorXd() : color_field(field_, source_, frame);
+    }
+
+private:
+    ColorField field_;
+    Mesh source_;
+};
+
 /// Renders the stills that the selected frames need and makes the video of them.
-Clip row_clip(const FigureConfig& config, const Shooting& shooting, const FigureRow& row,
-              const std::filesystem::path& folder, bool encodes) {
+Clip row_clip(const FigureConfig& config, const Shooting& shooting, const Figure& figure,
+              const FigureRow& row, const std::filesystem::path& folder, bool encodes) {
     const int frames = config.video.frames;
     const std::string task = fmt::format("video of row {} ({})", row.number + 1, row.config.label);
     std::vector<int> stills, shown;  // numbers of stills; per frame its place among them
@@ -74,13 +91,15 @@ Clip row_clip(const FigureConfig& config, const Shooting& shooting, const Figure
     clip.width = shooting.width;
     clip.height = shooting.height;
     clip.frames = static_cast<int>(shown.size());
-    Subject subject(shooting, row.motion.at(0), row.motion.morph->triangles());
+    RowSubject subject(shooting, row, figure.scale);
+    const FrameColors colors(config, row.motion);
     const Progress& progress = shooting.options.progress;
     std::vector<VideoFrame> pictures;
     for (const int still : stills) {
         const auto before = static_cast<double>(pictures.size()), count = static_cast<double>(stills.size());
         const double alpha = loop_alpha(still, frames);
-        const FigureCell cell = subject.shoot(row.motion.at(alpha), progress.part(task, before, count),
+        const Points frame = row.motion.at(alpha);
+        const FigureCell cell = subject.shoot(frame, colors.of(frame), progress.part(task, before, count),
                                               static_cast<std::uint32_t>(still));
         clip.alphas.push_back(alpha);
         clip.stills.push_back(render::jpeg_data_uri(cell.image, kStillQuality));
@@ -113,8 +132,11 @@ public:
         centre_ = bounds.center();
     }
 
-    Points frame(int index) const {
-        return turned(motion_.at(loop_alpha(index, frames_)), centre_, up_, 360.0 * index / frames_);
+    Points frame(int index) const { return motion_.at(loop_alpha(index, frames_)); }
+
+    /// @param frame  of that index
+    Points turned_frame(const Points& frame, int index) const {
+        return turned(frame, centre_, up_, 360.0 * index / frames_);
     }
 
 private:
@@ -125,12 +147,12 @@ private:
 };
 
 /// Frames go to ffmpeg as they are rendered.
-Clip turntable_clip(const FigureConfig& config, const FigureOptions& options, const FigureRow& row,
-                    const std::filesystem::path& folder) {
+Clip turntable_clip(const FigureConfig& config, const FigureOptions& options, const Figure& figure,
+                    const FigureRow& row, const std::filesystem::path& folder) {
     const std::string task = fmt::format("turntable of row {} ({})", row.number + 1, row.config.label);
     const Turntable table(config, row.motion);
     ShootingPlan plan(config.picture, options, film_of(config));
-    for (int i = 0; i < config.video.turntable; ++i) plan.add(table.frame(i));
+    for (int i = 0; i < config.video.turntable; ++i) plan.add(table.turned_frame(table.frame(i), i));
     Shooting shooting = plan.shooting();
     shooting.adaptive_error = kVideoError;
 
@@ -138,13 +160,15 @@ Clip turntable_clip(const FigureConfig& config, const FigureOptions& options, co
     clip.name = "turntable";
     clip.width = shooting.width;
     clip.height = shooting.height;
-    Subject subject(shooting, row.motion.at(0), row.motion.morph->triangles());
+    RowSubject subject(shooting, row, figure.scale);
+    const FrameColors colors(config, row.motion);
     VideoEncoder encoder(video_files(folder, clip.name), clip.width, clip.height, config.video.fps);
     for (int i = 0; i < config.video.turntable; ++i) {
         if (!options.frames.has(static_cast<std::size_t>(i))) continue;
-        const FigureCell cell =
-            subject.shoot(table.frame(i), options.progress.part(task, i, config.video.turntable),
-                          static_cast<std::uint32_t>(i));
+        const Points frame = table.frame(i);
+        const FigureCell cell = subject.shoot(table.turned_frame(frame, i), colors.of(frame),
+                                              options.progress.part(task, i, config.video.turntable),
+                                              static_cast<std::uint32_t>(i));
         clip.seconds += cell.seconds;
         ++clip.frames;
         encoder.add(video_frame(cell.image));
@@ -181,11 +205,12 @@ void make_clips(const FigureConfig& config, const FigureOptions& options, const 
     if (!encodes) figure.no_videos = "the program ffmpeg is not installed (Debian package ffmpeg)";
     if (config.video.frames > 0) {
         const Shooting shooting = loop_shooting(config, options, figure);
-        for (FigureRow& row : figure.rows) row.clip = row_clip(config, shooting, row, folder, encodes);
+        for (FigureRow& row : figure.rows)
+            row.clip = row_clip(config, shooting, figure, row, folder, encodes);
     }
     const FigureRow* row = turning_row(config, figure);
     if (encodes && row && config.video.turntable > 0)
-        figure.turntable = turntable_clip(config, options, *row, folder);
+        figure.turntable = turntable_clip(config, options, figure, *row, folder);
     figure.video_seconds = filming.seconds();
 }
 

@@ -93,12 +93,14 @@ double percentile(std::vector<double>& values, double share) {
 std::vector<Eigen::VectorXd> color_field(ColorField field, const FrameSequence& sequence) {
     std::vector<Eigen::VectorXd> values;
     const Mesh source{sequence.source, sequence.triangles};
-    for (const Points& frame : sequence.frames) {
-        if (field == ColorField::Curvature) values.push_back(mean_curvature({frame, sequence.triangles}));
-        if (field == ColorField::Displacement) values.push_back(displacement(source, frame));
-        if (field == ColorField::Distortion) values.push_back(distortion(source, frame));
-    }
+    for (const Points& frame : sequence.frames) values.push_back(color_field(field, source, frame));
     return values;
+}
+
+Eigen::VectorXd color_field(ColorField field, const Mesh& source, const Points& frame) {
+    if (field == ColorField::Curvature) return mean_curvature({frame, source.F});
+    if (field == ColorField::Displacement) return displacement(source, frame);
+    return distortion(source, frame);
 }
 
 ColorScale color_scale(ColorField field, const std::vector<std::vector<Eigen::VectorXd>>& values) {

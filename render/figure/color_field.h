@@ -26,6 +26,9 @@ struct ColorScale {
 /// @pre field is not None
 std::vector<Eigen::VectorXd> color_field(ColorField field, const FrameSequence& sequence);
 
+/// The same of one frame. @param source  the frame at alpha = 0
+Eigen::VectorXd color_field(ColorField field, const Mesh& source, const Points& frame);
+
 /// One scale for all frames: from the least value there can be, or the 2nd percentile of curvatures, to the
 /// 98th percentile, both rounded to two digits. Values beyond take the colour of the end.
 ColorScale color_scale(ColorField field, const std::vector<std::vector<Eigen::VectorXd>>& values);

@@ -13,10 +13,11 @@
 #include "render/figure/frames.h"
 #include "render/figure/looks.h"
 #include "render/figure/mesh_source.h"
+#include "render/figure/morph_panels.h"
 #include "render/figure/page.h"
+#include "render/figure/row_subject.h"
 #include "render/figure/sheet.h"
 #include "render/figure/stopwatch.h"
-#include "render/figure/subject.h"
 #include "render/image/image_file.h"
 
 namespace automorph {
@@ -39,20 +40,22 @@ void check_frames_of(FigureRow& row, const Report& morph_report) {
 /// What a row shows.
 struct RowFrames {
     FrameSequence sequence;
-    std::vector<int> marked;               ///< vertices with a sphere
     std::vector<Eigen::VectorXd> numbers;  ///< of each frame, if it is coloured by them
 };
+
+ShapePair load_shapes(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
+    const Stopwatch loading;
+    options.progress("meshes", 0);
+    ShapePair shapes{make_mesh(config.source, "source"), make_mesh(config.target, "target")};
+    options.progress("meshes", 1);
+    figure.load_seconds = loading.seconds();
+    return shapes;
+}
 
 /// Computes each different morph once, of rows that are not selected too, as the camera is theirs as well.
 /// Returns what each row shows.
 std::vector<RowFrames> compute_rows(const FigureConfig& config, const FigureOptions& options,
-                                    Figure& figure) {
-    const Stopwatch loading;
-    options.progress("meshes", 0);
-    const InputMesh source = make_mesh(config.source, "source"), target = make_mesh(config.target, "target");
-    options.progress("meshes", 1);
-    figure.load_seconds = loading.seconds();
-
+                                    const ShapePair& shapes, Figure& figure) {
     const Stopwatch morphing;
     for (std::size_t i = 0; i < config.rows.size(); ++i) {
         FigureRow& row = figure.rows.emplace_back();
@@ -68,9 +71,10 @@ std::vector<RowFrames> compute_rows(const FigureConfig& config, const FigureOpti
         }
         const std::string task = fmt::format("morph of row {} ({})", i + 1, row.config.label);
         options.progress(task, 0);
-        row.motion = {
-            std::make_shared<const Morph>(morph(source, target, row.config.morph_options(config.seed))),
-            row.config.interpolation};
+        MorphOptions morph_options = row.config.morph_options(config.seed);
+        morph_options.keep_maps = options.panels;
+        row.motion = {std::make_shared<const Morph>(morph(shapes.source, shapes.target, morph_options)),
+                      row.config.interpolation};
         row.morph = figure.morphs.size();
         figure.morphs.push_back(row.motion.morph->report());
         options.progress(task, 1);
@@ -78,12 +82,12 @@ std::vector<RowFrames> compute_rows(const FigureConfig& config, const FigureOpti
     for (const FigureRow& row : figure.rows) figure.motions.push_back(row.motion);
     figure.morph_seconds = morphing.seconds();
     std::vector<RowFrames> rows;
-    for (const FigureRow& row : figure.rows) {
+    for (FigureRow& row : figure.rows) {
         const Morph& morph = *row.motion.morph;
+        row.marked = marked_vertices(config.picture.markers, shapes.source.mesh.V, morph.endpoints().a,
+                                     morph.report().features);
         RowFrames& shown = rows.emplace_back();
         shown.sequence = frames_of(morph, config.alphas, row.motion.scheme);
-        shown.marked = marked_vertices(config.picture.markers, source.mesh.V, morph.endpoints().a,
-                                       morph.report().features);
         if (config.picture.color != ColorField::None)
             shown.numbers = color_field(config.picture.color, shown.sequence);
     }
@@ -112,20 +116,36 @@ void check_rows(const FigureOptions& options, Figure& figure) {
     figure.check_seconds = checking.seconds();
 }
 
+/// Draws what the selected rows' morphs are made of.
+void draw_panels(const FigureConfig& config, const FigureOptions& options, const ShapePair& shapes,
+                 Figure& figure) {
+    if (!options.panels) return;
+    const Stopwatch drawing;
+    const std::string task = "maps and features";
+    options.progress(task, 0);
+    figure.panels.resize(figure.morphs.size());
+    for (const FigureRow& row : figure.rows) {
+        MorphPanels& panels = figure.panels[row.morph];
+        if (panels.maps.empty())
+            panels = morph_panels(config, options, figure.camera, shapes, *row.motion.morph);
+    }
+    options.progress(task, 1);
+    figure.panel_seconds = drawing.seconds();
+}
+
 /// @param scale  of the numbers, if there are any
 void render_row(const Shooting& shooting, const RowFrames& frames, const std::optional<ColorScale>& scale,
                 FigureRow& row) {
     const FrameSequence& sequence = frames.sequence;
     const std::string task = fmt::format("pictures of row {} ({})", row.number + 1, row.config.label);
     const FigureOptions& options = shooting.options;
-    Subject subject(shooting, sequence.frames.front(), sequence.triangles);
-    subject.mark(frames.marked);
+    RowSubject subject(shooting, row, scale);
     double done = 0, count = 0;
     for (std::size_t i = 0; i < sequence.frames.size(); ++i) count += options.cells.has(i);
     for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
         if (!options.cells.has(i)) continue;
-        if (scale) subject.color(frames.numbers[i], *scale);
-        FigureCell cell = subject.shoot(sequence.frames[i], options.progress.part(task, done, count));
+        FigureCell cell = subject.shoot(sequence.frames[i], scale ? frames.numbers[i] : Eigen::VectorXd(),
+                                        options.progress.part(task, done, count));
         ++done;
         cell.alpha = sequence.alphas[i];
         cell.column = i;
@@ -136,7 +156,8 @@ void render_row(const Shooting& shooting, const RowFrames& frames, const std::op
 }
 
 void render_morphs(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
-    const std::vector<RowFrames> rows = compute_rows(config, options, figure);
+    const ShapePair shapes = load_shapes(config, options, figure);
+    const std::vector<RowFrames> rows = compute_rows(config, options, shapes, figure);
     std::vector<const Points*> frames;
     std::vector<std::vector<Eigen::VectorXd>> numbers;
     for (const RowFrames& row : rows) {
@@ -153,6 +174,7 @@ void render_morphs(const FigureConfig& config, const FigureOptions& options, Fig
     }
     figure.rows = std::move(selected);
     check_rows(options, figure);
+    draw_panels(config, options, shapes, figure);
     for (FigureRow& row : figure.rows) render_row(shooting, rows[row.number], figure.scale, row);
 }
 
@@ -222,8 +244,8 @@ Figure render_figure(const FigureConfig& config, const FigureOptions& options) {
     } else {
         draw_figure(config, options, figure);
     }
-    figure.render_seconds =
-        whole.seconds() - figure.load_seconds - figure.morph_seconds - figure.check_seconds;
+    figure.render_seconds = whole.seconds() - figure.load_seconds - figure.morph_seconds -
+                            figure.check_seconds - figure.panel_seconds;
     return figure;
 }
 

@@ -29,6 +29,7 @@ struct FigureOptions {
     Selection rows, cells;      ///< those to picture; the camera stays that of the whole figure
     Selection frames;           ///< of the videos
     bool check_frames = true;   ///< measures the frames of each row's motion
+    bool panels = true;         ///< fills Figure::panels
     Progress progress;
 };
 
@@ -40,6 +41,12 @@ struct FigureCell {
     std::size_t column = 0;                ///< in the whole figure
     double seconds = 0;                    ///< of rendering
     std::uint64_t rays = 0, bad_samples = 0;
+};
+
+/// What a morph is made of, as small pictures for the page.
+struct MorphPanels {
+    std::vector<FigureCell> maps;  ///< source and target in turn, turned alike; of the sphere, front and back
+    std::vector<FigureCell> features;  ///< source, target; empty unless features aligned the maps
 };
 
 /// How a row moves.
@@ -69,11 +76,13 @@ struct FigureRow {
     std::vector<FrameReport> frames;    ///< along the motion; empty unless they were checked
     std::vector<std::string> warnings;  ///< what is suspicious about them, one sentence each
     Motion motion;
+    std::vector<int> marked;   ///< vertices of the morph with a sphere
     std::optional<Clip> clip;  ///< of make_clips()
 };
 
 struct Figure {
-    std::vector<Report> morphs;  ///< one per different set of options; rows share them
+    std::vector<Report> morphs;       ///< one per different set of options; rows share them
+    std::vector<MorphPanels> panels;  ///< per morph; empty of those that no selected row shows
     std::vector<FigureRow> rows;
     std::vector<Motion> motions;      ///< of all rows, selected or not
     std::optional<Clip> turntable;    ///< without stills
@@ -81,7 +90,8 @@ struct Figure {
     render::Camera camera;            ///< of all cells
     std::optional<ColorScale> scale;  ///< of `picture.color`, the same in all cells
     int width = 0, height = 0, spp = 0;
-    double load_seconds = 0, morph_seconds = 0, check_seconds = 0, render_seconds = 0, video_seconds = 0;
+    double load_seconds = 0, morph_seconds = 0, check_seconds = 0, panel_seconds = 0, render_seconds = 0,
+           video_seconds = 0;
 };
 
 /// Computes all cells; writes nothing.

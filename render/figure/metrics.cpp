@@ -83,11 +83,9 @@ std::string metrics_json(const FigureConfig& config, const Figure& figure) {
     json["morphs"] = Json::array();
     for (const Report& report : figure.morphs) json["morphs"].push_back(Json::parse(report_json(report)));
     json["turntable"] = figure.turntable ? clip_json(*figure.turntable) : Json();
-    json["seconds"] = {{"load", figure.load_seconds},
-                       {"morph", figure.morph_seconds},
-                       {"check", figure.check_seconds},
-                       {"render", figure.render_seconds},
-                       {"video", figure.video_seconds}};
+    json["seconds"] = {{"load", figure.load_seconds},     {"morph", figure.morph_seconds},
+                       {"check", figure.check_seconds},   {"panels", figure.panel_seconds},
+                       {"render", figure.render_seconds}, {"video", figure.video_seconds}};
     // Labels come from files, which may hold anything: what is not UTF-8 is replaced, never an error.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -52,6 +52,20 @@ Json motion_json(const FigureRow& row, const Json& cells) {
     return motion;
 }
 
+Json picture_json(const FigureCell& cell) {
+    const Image image = shown(cell.image);
+    return {{"label", cell.label},
+            {"width", image.width},
+            {"height", image.height},
+            {"image", render::jpeg_data_uri(image, kQuality)}};
+}
+
+Json pictures_json(const std::vector<FigureCell>& cells) {
+    Json pictures = Json::array();
+    for (const FigureCell& cell : cells) pictures.push_back(picture_json(cell));
+    return pictures;
+}
+
 /// The metrics, with the pictures.
 Json page_data(const FigureConfig& config, const Figure& figure) {
     Json data = Json::parse(metrics_json(config, figure));
@@ -59,14 +73,13 @@ Json page_data(const FigureConfig& config, const Figure& figure) {
         const FigureRow& row = figure.rows[i];
         Json& row_data = data["rows"][i];
         for (std::size_t j = 0; j < row.cells.size(); ++j) {
-            const Image image = shown(row.cells[j].image);
-            Json& cell = row_data["cells"][j];
-            cell["label"] = row.cells[j].label;
-            cell["width"] = image.width;
-            cell["height"] = image.height;
-            cell["image"] = render::jpeg_data_uri(image, kQuality);
+            row_data["cells"][j].update(picture_json(row.cells[j]));
         }
         row_data["motion"] = row.motion.morph ? motion_json(row, row_data["cells"]) : Json();
+    }
+    for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+        data["morphs"][i]["map_pictures"] = pictures_json(figure.panels[i].maps);
+        data["morphs"][i]["feature_pictures"] = pictures_json(figure.panels[i].features);
     }
     data["no_videos"] = figure.no_videos;
     return data;

@@ -17,6 +17,25 @@ namespace automorph {
 /// Fig. 2: the shape as a picture with its visible edges, and its map as a triangulation shaded alike.
 std::vector<FigureCell> map_panels(const Shooting& shooting, const InputMesh& shape, const ShapeMap& map);
 
+/// How a map and its shape lie on the page; the axes of the page are right, up and towards the reader.
+struct MapPose {
+    Eigen::Matrix3d rays = Eigen::Matrix3d::Identity();   ///< from the domain to the page
+    Eigen::Matrix3d shape = Eigen::Matrix3d::Identity();  ///< from the world to the page, for the light
+
+    MapPose from_behind() const;
+};
+
+/// Turns a map about its centre such that it resembles the shape as the camera sees it; disks of surfaces
+/// that show the camera their back are seen from behind.
+MapPose upright_pose(const DomainMap& map, const render::Camera& camera);
+
+/// Of a map onto the same domain: turned like `other`, so that the same spots are in the same places.
+/// @param R  turns the map's shape to where the other's lies
+MapPose pose_beside(const MapPose& other, const DomainMap& map, const Eigen::Matrix3d& R);
+
+/// A map as a triangulation, shaded like its shape; of a sphere, the near side.
+FigureCell map_drawing(const Shooting& shooting, const DomainMap& map, const MapPose& pose);
+
 /// Fig. 3: the two borders on the circle, own vertices filled and inserted ones hollow, and a part of both
 /// enlarged with labels.
 std::vector<FigureCell> border_panels(const Shooting& shooting, const BorderInsertion& insertion);

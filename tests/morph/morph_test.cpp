@@ -1,6 +1,7 @@
 #include "morph/morph.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -241,6 +242,50 @@ TEST_CASE("a good disk map keeps an open pair on the disk, unless the sphere is 
     const Morph result = morph(source, target, {.domain = Domain::Sphere, .lift = false});
     CHECK(result.report().domain == "sphere, border locked");
     check_reproduces_both(result, source.mesh, target.mesh);
+}
+
+TEST_CASE("the maps of a morph are kept on request, as they were overlaid") {
+    const InputMesh open_a = admit_mesh(with_opening(dome(10, 0.5, 0.0), -0.3, 0.1, 0.2)),
+                    open_b = admit_mesh(with_opening(dome(11, 0.3, 0.3), -0.3, 0.1, 0.2));
+    const InputMesh closed_a = admit_mesh(ellipsoid({1, 0.8, 0.5}, {.triangles = 400})),
+                    closed_b = admit_mesh(star({}, {.triangles = 500}));
+    CHECK(morph(open_a, open_b).maps().empty());
+
+    const auto check_maps = [](const Morph& result, std::size_t parts, bool on_disk) {
+        REQUIRE(result.maps().size() == parts);
+        for (std::size_t i = 0; i < parts; ++i) {
+            const DomainMaps& maps = result.maps()[i];
+            CHECK(maps.source.mesh.vertex_count() == result.report().overlays[i].vertices_a);
+            CHECK(maps.target.mesh.vertex_count() == result.report().overlays[i].vertices_b);
+            for (const DomainMap* map : {&maps.source, &maps.target}) {
+                CHECK(map->on_disk() == on_disk);
+                REQUIRE(map->rays.rows() == map->mesh.vertex_count());
+                REQUIRE(static_cast<int>(map->is_filling.size()) == map->mesh.triangle_count());
+                if (!on_disk) CHECK((map->rays.rowwise().norm().array() - 1.0).abs().maxCoeff() < 1e-12);
+                int turned = 0;
+                for (int f = 0; f < map->mesh.triangle_count(); ++f) {
+                    const Vector3d a = map->rays.row(map->mesh.F(f, 0)), b = map->rays.row(map->mesh.F(f, 1)),
+                                   c = map->rays.row(map->mesh.F(f, 2));
+                    turned += a.dot(b.cross(c)) <= 0.0;
+                }
+                CHECK(turned == 0);
+            }
+            REQUIRE(maps.source.loop.size() == maps.target.loop.size());
+            for (std::size_t k = 0; k < maps.source.loop.size(); ++k)
+                CHECK(maps.source.rays.row(maps.source.loop[k]) == maps.target.rays.row(maps.target.loop[k]));
+        }
+    };
+    const Morph disk = morph(open_a, open_b, {.domain = Domain::Disk, .keep_maps = true});
+    check_maps(disk, 1, true);
+    CHECK(disk.maps()[0].part.empty());
+    for (const DomainMap* map : {&disk.maps()[0].source, &disk.maps()[0].target})
+        CHECK(std::count(map->is_filling.begin(), map->is_filling.end(), 1) > 5);
+    check_maps(morph(open_a, open_b, {.domain = Domain::Sphere, .keep_maps = true}), 1, false);
+    check_maps(morph(closed_a, closed_b, {.keep_maps = true}), 1, false);
+    const Morph cut = morph(closed_a, closed_b, {.domain = Domain::Cut, .keep_maps = true});
+    check_maps(cut, 2, true);
+    CHECK(cut.maps()[0].part == "half 1");
+    CHECK(cut.maps()[1].part == "half 2");
 }
 
 TEST_CASE("a domain that does not fit is refused with a reason") {

@@ -192,6 +192,40 @@
     byId("videos").hidden = byId("films").childElementCount === 0;
   }
 
+  // ---- What each morph is made of; rows may share one.
+  function panels(pictures, alt) {
+    const grid = element("div", { class: "panels" });
+    for (const picture of pictures) {
+      const image = element("img", { src: picture.image, width: picture.width, height: picture.height, alt: alt(picture.label) });
+      grid.append(element("figure", {}, image, element("figcaption", {}, picture.label)));
+    }
+    return grid;
+  }
+
+  function drawMadeOf() {
+    data.morphs.forEach((morph, i) => {
+      const maps = morph.map_pictures || [], features = morph.feature_pictures || [];
+      if (maps.length + features.length === 0) return;
+      const rows = data.rows.filter((row) => row.morph === i).map((row) => row.label).join("; ");
+      const body = element("div", {}, panels(maps, (of) => `${rows}: map of the ${of}, drawn as a triangulation`));
+      if (features.length > 0) {
+        const sum = (value) => morph.features.reduce((total, found) => total + value(found), 0);
+        body.append(
+          element("h3", {}, "Curvature features"),
+          element("p", { class: "quiet" }, `${count(sum((f) => f.matches.length))} matched, numbered alike on both shapes, of ` +
+            `${count(sum((f) => f.candidates_source.length))} candidates on the source and ` +
+            `${count(sum((f) => f.candidates_target.length))} on the target (small dots); ` +
+            `${count(sum((f) => f.in_place))} laid on one another. Those on the far side are not seen.`),
+          panels(features, (of) => `${rows}: the ${of} with its curvature features, matched ones numbered`));
+      }
+      const about = ` – ${morph.domain}${features.length > 0 ? ", features" : ""}`;
+      const details = element("details", {}, element("summary", {}, rows || data.title, element("span", {}, about)), body);
+      details.open = byId("panels").childElementCount === 0;
+      byId("panels").append(details);
+    });
+    byId("made-of").hidden = byId("panels").childElementCount === 0;
+  }
+
   // ---- What was measured, per row.
   function degrees(rotation) {
     const cosine = (rotation[0] + rotation[4] + rotation[8] - 1) / 2;
@@ -260,12 +294,13 @@
   }
 
   byId("title").textContent = data.title || data.config;
-  const s = data.seconds, total = s.load + s.morph + s.check + s.render + s.video;
+  const s = data.seconds, total = s.load + s.morph + s.check + s.panels + s.render + s.video;
   byId("about").textContent = `automorph ${data.version} · ${data.picture.width} × ${data.picture.height} pixels, ` +
     `${data.picture.spp} paths each · ${total.toFixed(0)} s · config ${data.config_hash}`;
   drawFigure();
   drawMorph();
   drawVideos();
+  drawMadeOf();
   drawMeasurements();
   drawConfig();
 })();

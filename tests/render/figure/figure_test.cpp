@@ -105,7 +105,7 @@ TEST_CASE("samples and size can be overridden, and progress reaches the end of e
     CHECK(figure.width == 20);
     CHECK(figure.height == 16);
     CHECK(figure.spp == 1);
-    CHECK(begun.size() == 7);  // meshes, two morphs, their frames, three rows
+    CHECK(begun.size() == 8);  // meshes, two morphs, their frames, their panels, three rows
     CHECK(begun == ended);
     options.spp = 0;
     CHECK_THROWS_AS(render_figure(parse_config(kTiny, "tiny.yaml"), options), ConfigError);

@@ -25,6 +25,7 @@ target: {shape: star, triangles: 400}
 rows:
   - {label: "<img src=x onerror='window.broken=1'>", alignment: none, interpolation: linear}
   - {label: registered and turning, alignment: registration}
+  - {label: by features, alignment: features, domain: cut}
 alphas: [0, 1/4, 1/2, 3/4, 1]
 picture: {width: 48, height: 48, spp: 2}
 video: {frames: 8, size: 32, spp: 2, turntable: 6}
@@ -145,6 +146,29 @@ def check_overflow(browser, width):
           browser.value("document.documentElement.scrollWidth"))
 
 
+def check_made_of(browser):
+    found = browser.value("[...document.querySelectorAll('#panels details')].map(d => [d.open, "
+                          "d.querySelector('summary').textContent, [...d.querySelectorAll('figcaption')].map(c => c.textContent), "
+                          "[...d.querySelectorAll('img')].every(i => i.naturalWidth >= 48 && i.src.startsWith('data:'))])")
+    check("each morph tells what it is made of", len(found) == 3 and all(each[3] for each in found), found)
+    check("only the first is open", [each[0] for each in found] == [True, False, False], found)
+    sides = ["source, front of the sphere", "target, front of the sphere",
+             "source, back of the sphere", "target, back of the sphere"]
+    halves = ["source, half 1", "target, half 1", "source, half 2", "target, half 2"]
+    check("maps on the sphere have two sides", found[0][2] == sides and found[1][2] == sides, found)
+    check("a cut shape has two maps, and features are shown", found[2][2] == halves + ["source", "target"], found)
+    check("the domain is told", "sphere" in found[0][1] and "by features – cut into two disks, features" == found[2][1], found)
+    browser.value("document.querySelectorAll('#panels summary')[2].focus()")
+    browser.press("Enter", 13, text="\r")
+    check("a key opens it", browser.value("document.querySelectorAll('#panels details')[2].open"))
+    check("that does not play", browser.value("document.getElementById('play').textContent") == "Play")
+    browser.resize(375, 800, phone=True)
+    tops = browser.value("[...document.querySelectorAll('#panels details')[2].querySelectorAll('img')].map(i => "
+                         "Math.round(i.getBoundingClientRect().top))")
+    check("source and target are side by side on a phone", tops[0] == tops[1] and tops[2] == tops[3] and tops[2] > tops[0], tops)
+    browser.resize(1280, 900)
+
+
 def check_page(browser, page, has_videos):
     browser.resize(1280, 900)
     browser.scheme("light")
@@ -158,10 +182,11 @@ def check_page(browser, page, has_videos):
     check("texts stay texts", browser.value("window.broken === undefined && document.querySelector('h1 b') === null"))
     check("the title is told", "</script>" in browser.value("document.querySelector('h1').textContent"))
     check("all cells are pictures", browser.value(
-        "[...document.querySelectorAll('#figure img')].filter(i => i.naturalWidth === 48).length") == 10)
+        "[...document.querySelectorAll('#figure img')].filter(i => i.naturalWidth === 48).length") == 15)
     check("every picture has a text", browser.value("[...document.images].every(i => i.alt.length > 2)"))
-    check("both rows have a viewer and a plot", browser.value(
-        "document.querySelectorAll('.viewer > img').length === 2 && document.querySelectorAll('.viewer svg').length === 2"))
+    check("all rows have a viewer and a plot", browser.value(
+        "document.querySelectorAll('.viewer > img').length === 3 && document.querySelectorAll('.viewer svg').length === 3"))
+    check_made_of(browser)
     check("the config is there word for word",
           browser.value("document.querySelector('#config pre').textContent") == CONFIG)
 
@@ -197,7 +222,7 @@ def check_page(browser, page, has_videos):
             "const tell = () => done([v.videoWidth, v.duration]); "
             "if (v.readyState > 0) tell(); else { v.onloadedmetadata = tell; v.onerror = () => done(null); "
             "setTimeout(() => done('late'), 10000); } })))")
-        check("three videos play", len(lengths) == 3 and all(
+        check("four videos play", len(lengths) == 4 and all(
             isinstance(each, list) and each[0] == 32 and each[1] > 0.3 for each in lengths), lengths)
     else:
         print("skipped videos: ffmpeg is not installed")
