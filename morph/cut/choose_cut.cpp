@@ -25,21 +25,22 @@ constexpr double kMatchSpacing = 0.05;
 /// A match nearer to the centre than this share of the diagonal gives no line to speak of.
 constexpr double kShortestArm = 0.05;
 
-struct Match {
+struct ShapeMatch {
     double p;
     int source, target;
 };
 
 /// All pairs by decreasing responsibility.
-std::vector<Match> best_matches(const Mesh& source, const Mesh& target, const Registration& registration) {
+std::vector<ShapeMatch> best_matches(const Mesh& source, const Mesh& target,
+                                     const Registration& registration) {
     const auto p = responsibilities(source.V, target.V, registration);
-    std::vector<Match> matches;
+    std::vector<ShapeMatch> matches;
     for (int i = 0; i < p.outerSize(); ++i) {
         for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator it(p, i); it; ++it) {
             matches.push_back({it.value(), i, static_cast<int>(it.col())});
         }
     }
-    std::sort(matches.begin(), matches.end(), [](const Match& x, const Match& y) {
+    std::sort(matches.begin(), matches.end(), [](const ShapeMatch& x, const ShapeMatch& y) {
         return std::tuple(-x.p, x.source, x.target) < std::tuple(-y.p, y.source, y.target);
     });
     return matches;
@@ -63,7 +64,7 @@ struct Solid {
 };
 
 /// The best plane of the pencil through a match; nothing if none cuts both shapes into disks.
-std::optional<CutPlanes> best_of_pencil(const Solid& source, const Solid& target, const Match& match,
+std::optional<CutPlanes> best_of_pencil(const Solid& source, const Solid& target, const ShapeMatch& match,
                                         const Eigen::Matrix3d& R) {
     const Vector3d arm = source.mesh.V.row(match.source).transpose() - source.centre;
     const Vector3d target_arm = (target.mesh.V.row(match.target).transpose() - target.centre).normalized();
@@ -92,7 +93,7 @@ CutPlanes choose_cut(const Mesh& source, const Mesh& target, const Registration&
     const Solid a{source}, b{target};
     const double size_a = bounding_box_diagonal(source.V), size_b = bounding_box_diagonal(target.V);
     std::vector<Vector3d> failed;
-    for (const Match& match : best_matches(source, target, registration)) {
+    for (const ShapeMatch& match : best_matches(source, target, registration)) {
         const Vector3d x = source.V.row(match.source), y = target.V.row(match.target);
         if ((x - a.centre).norm() < kShortestArm * size_a || (y - b.centre).norm() < kShortestArm * size_b)
             continue;

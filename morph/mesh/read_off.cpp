@@ -12,14 +12,14 @@ namespace {
 
 constexpr TextRules kOffText{'#', false};
 
-struct Header {
+struct OffHeader {
     bool valid = false;        ///< the keyword is one of OFF's
     bool spatial = true;       ///< false: 4OFF or nOFF
     int extra_per_vertex = 0;  ///< numbers after x y z: normal 3, colour 4, texture 2
 };
 
-Header parse_keyword(std::string_view word) {
-    Header header;
+OffHeader parse_keyword(std::string_view word) {
+    OffHeader header;
     if (word == "off" || word == "Off") word = "OFF";
     while (word.size() > 3) {
         if (word.starts_with("ST")) {
@@ -95,7 +95,7 @@ Counts text_counts(TextCursor& in) {
     return counts;
 }
 
-PolygonSoup read_text(TextCursor& in, const Header& header) {
+PolygonSoup read_text(TextCursor& in, const OffHeader& header) {
     const Counts counts = text_counts(in);
     SoupBuilder soup;
     soup.reserve(static_cast<std::size_t>(counts.vertices), static_cast<std::size_t>(counts.faces), 0);
@@ -142,7 +142,7 @@ PolygonSoup read_text(TextCursor& in, const Header& header) {
     return soup.finish();
 }
 
-PolygonSoup read_binary(BinaryCursor in, const Header& header) {
+PolygonSoup read_binary(BinaryCursor in, const OffHeader& header) {
     Counts counts;
     counts.vertices = in.value<std::int32_t>("the number of vertices in the header, line", 1);
     counts.faces = in.value<std::int32_t>("the number of faces in the header, line", 1);
@@ -195,7 +195,7 @@ PolygonSoup read_off(const FileBytes& file) {
     if (word.empty())
         in.fail("the file holds no data; an OFF file starts with the word OFF and three counts");
     if (parse_number(word, number)) return read_text(in, {});  // the keyword may be missing
-    const Header header = parse_keyword(word);
+    const OffHeader header = parse_keyword(word);
     if (!header.valid) {
         ahead.fail(fmt::format("expected the word OFF (or COFF, NOFF, STOFF, ...), found {}", quoted(word)));
     }

@@ -35,7 +35,7 @@ struct Element {
 
 enum class Encoding { Text, LittleEndian, BigEndian };
 
-struct Header {
+struct PlyHeader {
     Encoding encoding = Encoding::Text;
     std::vector<Element> elements;
     std::int64_t vertex_count = 0;
@@ -159,8 +159,8 @@ Encoding parse_encoding(TextCursor& in) {
 }
 
 /// Leaves the cursor at the first byte after the header.
-Header parse_header(TextCursor& in) {
-    Header header;
+PlyHeader parse_header(TextCursor& in) {
+    PlyHeader header;
     if (in.token() != "ply") in.fail("a PLY file starts with the word 'ply'");
     bool has_format = false, has_vertices = false;
     for (;;) {
@@ -284,7 +284,7 @@ void read_faces(Values& values, const Element& element, std::int64_t vertex_coun
 }
 
 template <class Values>
-PolygonSoup read_body(Values values, const Header& header) {
+PolygonSoup read_body(Values values, const PlyHeader& header) {
     SoupBuilder soup;
     bool has_faces = false;
     for (const Element& element : header.elements) {
@@ -314,7 +314,7 @@ bool looks_like_ply(std::string_view bytes) {
 
 PolygonSoup read_ply(const FileBytes& file) {
     TextCursor in(file, {});
-    const Header header = parse_header(in);
+    const PlyHeader header = parse_header(in);
     if (header.encoding == Encoding::Text) return read_body(TextValues{in}, header);
     std::size_t offset = file.bytes.size() - in.bytes_left();
     // Where lines end with CR alone, a body that begins with the byte LF must keep it.

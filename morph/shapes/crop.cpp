@@ -23,7 +23,7 @@ using Vertex = OpenMesh::VertexHandle;
 // A vertex within this share of its shortest edge from the border is moved onto it.
 constexpr double kSnap = 0.45;
 // A triangle may turn by an angle of this cosine when a corner moves.
-constexpr double kUpright = 0.5;
+constexpr double kLeastCosine = 0.5;
 
 /// The point of both zero levels that Newton's method with steps of least length reaches.
 Vector project_to_curve(const ImplicitSurface& surface, const ImplicitSurface& side, const Vector& start) {
@@ -106,7 +106,7 @@ private:
                          b = position(topology_.to_vertex_handle(topology_.next_halfedge_handle(h)));
             const Vector before = (a - position(v)).cross(b - position(v)),
                          after = (a - target).cross(b - target);
-            if (after.dot(before) <= kUpright * after.norm() * before.norm()) return false;
+            if (after.dot(before) <= kLeastCosine * after.norm() * before.norm()) return false;
         }
         return true;
     }
@@ -144,8 +144,8 @@ private:
                 if (cotangent(pa - pc, pb - pc) + cotangent(pa - pd, pb - pd) >= kDelaunay) continue;
                 const Vector before = (pb - pa).cross(pc - pa) + (pd - pa).cross(pb - pa);
                 const Vector first = (pb - pd).cross(pc - pd), second = (pc - pd).cross(pa - pd);
-                const bool is_upright = first.dot(before) > kUpright * first.norm() * before.norm() &&
-                                        second.dot(before) > kUpright * second.norm() * before.norm();
+                const bool is_upright = first.dot(before) > kLeastCosine * first.norm() * before.norm() &&
+                                        second.dot(before) > kLeastCosine * second.norm() * before.norm();
                 if (is_upright && topology_.is_flip_ok(e)) topology_.flip(e);
             }
         }

@@ -8,7 +8,7 @@
 
 namespace automorph {
 
-SurfacePoint project(const ImplicitSurface& surface, const Eigen::Vector3d& start) {
+ImplicitPoint project(const ImplicitSurface& surface, const Eigen::Vector3d& start) {
     constexpr int kMaxSteps = 60;
     constexpr int kMaxHalvings = 12;
     // Relative to the point. Newton's method squares the distance: one more step from here leaves rounding

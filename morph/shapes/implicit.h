@@ -16,13 +16,13 @@ struct FieldSample {
 using ImplicitSurface = std::function<FieldSample(const Eigen::Vector3d&)>;
 
 /// A point of the surface and its outward unit normal.
-struct SurfacePoint {
+struct ImplicitPoint {
     Eigen::Vector3d position, normal;
 };
 
 /// The point of the surface that Newton's method reaches from `start` along the gradient: close to the
 /// nearest one when `start` is close to the surface. Accurate to rounding.
 /// @throws SolverFailure if it does not converge (gradient zero or field not smooth near `start`)
-SurfacePoint project(const ImplicitSurface& surface, const Eigen::Vector3d& start);
+ImplicitPoint project(const ImplicitSurface& surface, const Eigen::Vector3d& start);
 
 }  // namespace automorph

@@ -38,7 +38,7 @@ constexpr int kCountRounds = 4;      // making the count exact
 constexpr int kSettlingRounds = 12;  // until the triangles are even
 constexpr int kFlipPasses = 10;      // a bound only: two or three are used
 // A triangle and the surface's normal at its corners may include an angle of this cosine: a fold is negative.
-constexpr double kUpright = 0.2;
+constexpr double kLeastUprightness = 0.2;
 constexpr double kTiny = 1e-300;  // in place of zero areas as divisors
 // Delaunay: cotangents of the opposite angles that add up to less are flipped; not 0, so that no edge of a
 // square flips for ever.
@@ -102,11 +102,11 @@ private:
 
     double spacing(Vertex v) const { return points_[static_cast<std::size_t>(v.idx())].spacing; }
 
-    struct Sample : SurfacePoint {
+    struct Sample : ImplicitPoint {
         double spacing;
     };
     Sample locate(const Vector& start) const {
-        const SurfacePoint point = project(surface_, start);
+        const ImplicitPoint point = project(surface_, start);
         return {point, spacing_ ? spacing_(point.position) : 1.0};
     }
 
@@ -137,7 +137,7 @@ private:
         const Vector sum = normal(a) + normal(b) + normal(c);
         return area.dot(sum) / std::max(area.norm() * sum.norm(), kTiny);
     }
-    bool upright(Vertex a, Vertex b, Vertex c) const { return uprightness(a, b, c) > kUpright; }
+    bool upright(Vertex a, Vertex b, Vertex c) const { return uprightness(a, b, c) > kLeastUprightness; }
 
     /// The least of the triangles round a vertex.
     double uprightness(Vertex v) const {
@@ -294,7 +294,7 @@ private:
         Sample& point = points_[static_cast<std::size_t>(v.idx())];
         const Sample before = point;
         const double least =
-            std::min(uprightness(v), kUpright);  // one that is folded already may unfold in steps
+            std::min(uprightness(v), kLeastUprightness);  // one that is folded already may unfold in steps
         point = locate(before.position + displacement - displacement.dot(before.normal) * before.normal);
         if (uprightness(v) < least) point = before;
     }

@@ -20,7 +20,7 @@ namespace {
 constexpr double kWidest = 0.6, kNarrowest = 0.13;
 constexpr int kLevels = 8;
 /// Relaxing sweeps after each level, and after the last.
-constexpr int kSweeps = 3, kLastSweeps = 8;
+constexpr int kSweepsPerLevel = 3, kFinestSweeps = 8;
 
 /// Places that a tangent field leads to.
 Points shifted(const Points& rays, const SmoothField& field) {
@@ -77,7 +77,7 @@ AlignedSpheres align_spheres(const MappedMesh& a, const MappedMesh& b, const Reg
         const Points half = 0.5 * (to - from);
         map_a.move(shifted(map_a.rays(), SmoothField(from, half, matches.weights, width)));
         map_b.move(shifted(map_b.rays(), SmoothField(to, -half, matches.weights, width)));
-        const int sweeps = level + 1 < kLevels ? kSweeps : kLastSweeps;
+        const int sweeps = level + 1 < kLevels ? kSweepsPerLevel : kFinestSweeps;
         map_a.relax(sweeps);
         map_b.relax(sweeps);
     }

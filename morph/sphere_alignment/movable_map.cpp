@@ -11,7 +11,7 @@ namespace {
 
 /// Rounds of moving, relaxing sweeps after each, and those over the vertices that are not in place after the
 /// last.
-constexpr int kRounds = 6, kSweeps = 3, kLastSweeps = 10;
+constexpr int kRounds = 6, kSweepsPerRound = 3, kLateSweeps = 10;
 
 }  // namespace
 
@@ -44,11 +44,11 @@ std::vector<int> MovableMap::move(const Points& wanted) {
 int MovableMap::follow(const Points& wanted) {
     std::vector<int> late = move(wanted);
     for (int round = 0; round < kRounds && !late.empty(); ++round) {
-        relax(kSweeps);
+        relax(kSweepsPerRound);
         late = move(wanted);
     }
     relaxation_.wake();
-    relaxation_.sweep(late, kLastSweeps);
+    relaxation_.sweep(late, kLateSweeps);
     return static_cast<int>(late.size());
 }
 

@@ -15,8 +15,7 @@ namespace {
 constexpr float kLeastAlpha = 1e-3f;  // below, single precision does not resolve the highlight
 constexpr float kLeastBending =
     1e-3f;  // of ior - 1: below, rough glass would have no microfacets to refract at
-constexpr float kLeastCosine = 1e-3f;  // of the table's first entry, where zero would be no direction
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kFirstCosine = 1e-3f;  // of the table's first entry, where zero would be no direction
 
 void require(bool condition, const char* name, float value, const char* allowed) {
     if (!condition) throw ConfigError(fmt::format("material: {} is {}; it must be {}", name, value, allowed));
@@ -53,7 +52,7 @@ float reflected_share(const Ggx& ggx, float ior, float cosine) {
 CoatAlbedo coat_albedo(const Ggx& ggx, float ior, float weight) {
     CoatAlbedo table;
     for (int i = 0; i <= CoatAlbedo::kSteps; ++i) {
-        const float cosine = std::max(kLeastCosine, static_cast<float>(i) / CoatAlbedo::kSteps);
+        const float cosine = std::max(kFirstCosine, static_cast<float>(i) / CoatAlbedo::kSteps);
         table.at[static_cast<std::size_t>(i)] = weight * reflected_share(ggx, ior, std::min(1.0f, cosine));
     }
     // 2 times the integral of E(c) c over c, E linear in each step: Simpson's rule is exact.

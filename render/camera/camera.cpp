@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "morph/mesh/errors.h"
+#include "render/math/angle.h"
 #include "render/math/disk.h"
 
 namespace automorph::render {
 namespace {
 
-constexpr double kRadians = 3.14159265358979324 / 180.0;
 constexpr double kLeastSine = 1e-6;  // between view and up: below, the horizon is not defined
 
 }  // namespace

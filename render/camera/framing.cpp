@@ -7,14 +7,14 @@
 #include <limits>
 
 #include "morph/mesh/errors.h"
+#include "render/math/angle.h"
 
 namespace automorph::render {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr double kLeastDistance = 0.01;  // of the nearest point, in depths of the shape
 constexpr double kRounding = 1e-12;      // relative to the coordinates
-constexpr double kRadians = 3.14159265358979324 / 180.0;
 
 /// The least value of functional . p while p turns. With p = foot on the axis + r, that is functional . foot
 /// + A cos(phi) + B sin(phi), A = functional . r and B = functional . (axis x r): least at the ends, or
@@ -57,12 +57,12 @@ private:
 
 Framing::Framing(const FramingOptions& options)
     : options_(options),
-      min_right_(kInfinity),
-      min_left_(kInfinity),
-      min_top_(kInfinity),
-      min_bottom_(kInfinity),
-      nearest_(kInfinity),
-      farthest_(-kInfinity) {
+      min_right_(kUnbounded),
+      min_left_(kUnbounded),
+      min_top_(kUnbounded),
+      min_bottom_(kUnbounded),
+      nearest_(kUnbounded),
+      farthest_(-kUnbounded) {
     if (!(options.aspect > 0.0) || !std::isfinite(options.aspect)) {
         throw ConfigError(fmt::format("framing: the aspect is {}; it must be positive", options.aspect));
     }

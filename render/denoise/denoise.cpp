@@ -56,9 +56,9 @@ float falling(float x) {
     return t4 * t4;
 }
 
-class Filter {
+class BilateralFilter {
 public:
-    Filter(const Image& image, const Layers& layers, const DenoiseOptions& options)
+    BilateralFilter(const Image& image, const Layers& layers, const DenoiseOptions& options)
         : image_(image), layers_(layers), options_(options), variance_(smoothed(layers.variance)) {}
 
     Image run() const {
@@ -108,7 +108,7 @@ private:
 };
 
 // One offset of the window after the other, so that the mean over patches is a running sum.
-void Filter::filter_band(int first, Image& result) const {
+void BilateralFilter::filter_band(int first, Image& result) const {
     const int width = image_.width, height = image_.height, patch = options_.patch;
     const int rows = std::min(kBandRows, height - first), tall = rows + 2 * patch;
     const auto cells = static_cast<std::size_t>(width);
@@ -161,7 +161,7 @@ Image denoise(const Image& image, const Layers& layers, const DenoiseOptions& op
     check(image, layers.shading_normal, 3, "shading_normal");
     check(image, layers.depth, 1, "depth");
     check(image, layers.variance, 3, "variance");
-    return Filter(image, layers, options).run();
+    return BilateralFilter(image, layers, options).run();
 }
 
 }  // namespace automorph::render

@@ -7,8 +7,7 @@
 namespace automorph::render {
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr float kLeastCosine = 0.02f;  // between shading normal and eye, where a surface is not diffuse
+constexpr float kLeastEyeCosine = 0.02f;  // between shading normal and eye, where a surface is not diffuse
 
 // Power heuristic with exponent 2 for the strategy of density a [Veach95]; written so that nothing overflows.
 float mis_weight(float a, float b) {
@@ -19,8 +18,8 @@ float mis_weight(float a, float b) {
 // Interpolated normals can face away from the eye, where glossy surfaces would be black: bent towards it.
 Vec3 towards(const Vec3& normal, const Vec3& eye) {
     const float cosine = normal.dot(eye);
-    if (cosine >= kLeastCosine) return normal;
-    return (normal + (kLeastCosine - cosine) * eye).normalized();
+    if (cosine >= kLeastEyeCosine) return normal;
+    return (normal + (kLeastEyeCosine - cosine) * eye).normalized();
 }
 
 }  // namespace

@@ -16,11 +16,11 @@ namespace {
 
 // Share of a light's strength that is left where its centre is below the surface's horizon: a part of it may
 // be above, and light may come through the surface.
-constexpr float kLeastCosine = 0.1f;
+constexpr float kLeastLightCosine = 0.1f;
 
 float cosine_to(const Vec3& center, const LitPoint& point) {
     const Vec3 to_center = center - point.position;
-    return std::max(kLeastCosine, to_center.dot(point.normal) / std::sqrt(to_center.squaredNorm()));
+    return std::max(kLeastLightCosine, to_center.dot(point.normal) / std::sqrt(to_center.squaredNorm()));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 namespace automorph::render {
 
+inline constexpr double kRadians = 3.14159265358979324 / 180.0;  ///< in a degree
+
 /// The angle in [0, pi] whose sine and cosine are in the ratio `sine` : `cosine`, for sine >= 0; zero for 0,
 /// 0. Relative error below 1e-9. Only operations that round alike on all machines are used, which std::atan2
 /// is not one of: the C library has a variant for each kind of processor.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
 namespace automorph::render {
 
@@ -9,6 +10,7 @@ using Color = Eigen::Array3f;  ///< linear Rec.709/sRGB primaries; radiance in W
 
 inline constexpr float kPi = 3.14159265358979324f;
 inline constexpr float kInvPi = 0.318309886183790672f;
+inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// Cross product (without the weight of <Eigen/Geometry>).
 template <class Vector>

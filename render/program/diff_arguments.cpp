@@ -8,7 +8,7 @@
 namespace automorph::program {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kDiffExamples = R"(Examples:
   automorph diff golden.exr new.exr
       one line of verdict and a table of the tests; status 0: same, 1: different, 2: cannot be compared
   automorph diff golden/ new/ --side-by-side why/ --report diff.json || exit 1
@@ -86,7 +86,7 @@ void add_diff(CLI::App& app, DiffArguments& arguments) {
         ->type_name("N")
         ->check(CLI::Range(0, 1'000'000'000))
         ->capture_default_str();
-    command->footer(kExamples);
+    command->footer(kDiffExamples);
 }
 
 }  // namespace automorph::program

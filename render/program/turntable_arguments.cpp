@@ -4,7 +4,7 @@
 namespace automorph::program {
 namespace {
 
-constexpr const char* kExamples = R"(Examples:
+constexpr const char* kTurntableExamples = R"(Examples:
   automorph turntable head.ply --out turn/head_.png
       turn/head_000.png ... head_095.png: one revolution that can be played over and over
   automorph turntable scan.stl --up z --out scan.mp4
@@ -126,7 +126,7 @@ void add_turntable(CLI::App& app, TurntableArguments& arguments) {
     for (const char* flag : {"--easing", "--loop", "--hold", "--alpha", "--alignment", "--interpolation",
                              "--openings", "--domain", "--no-lift"})
         command->get_option(flag)->needs(target)->group("Morph, with a TARGET");
-    command->footer(kExamples);
+    command->footer(kTurntableExamples);
 }
 
 }  // namespace automorph::program

@@ -11,11 +11,10 @@
 
 #include "morph/mesh/errors.h"
 #include "render/camera/framing.h"
+#include "render/math/angle.h"
 
 namespace automorph::turntable {
 namespace {
-
-constexpr double kRadians = std::numbers::pi / 180;
 
 /// Rows: right, level view, up.
 Eigen::Matrix3d world_axes(const StageOptions& options) {
@@ -33,7 +32,7 @@ Eigen::Matrix3d world_axes(const StageOptions& options) {
 
 /// About the world's axis.
 Eigen::Matrix3d turn(double degrees) {
-    return Eigen::AngleAxisd(degrees * kRadians, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    return Eigen::AngleAxisd(degrees * render::kRadians, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
 }  // namespace
@@ -86,7 +85,7 @@ void Stage::place_axis(const std::vector<double>& alphas) {
 }
 
 void Stage::frame(const std::vector<double>& alphas, const std::vector<Moment>& moments) {
-    const double slope = options_.elevation * kRadians;
+    const double slope = options_.elevation * render::kRadians;
     render::FramingOptions framing_options;
     framing_options.direction = {0, std::cos(slope), -std::sin(slope)};
     framing_options.vertical_fov = options_.fov;

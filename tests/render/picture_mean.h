@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 #include "render/film/image.h"
 #include "render/integrator/render.h"
@@ -24,6 +25,11 @@ inline Mean mean_red(const Image& image) {
     }
     const double mean = sum / pixels;
     return {mean, std::sqrt(std::max(0.0, squares / pixels - mean * mean) / (pixels - 1))};
+}
+
+inline bool same_bits(const Image& a, const Image& b) {
+    return a.pixels.size() == b.pixels.size() &&
+           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(float)) == 0;
 }
 
 inline RenderOptions small_picture(int size, int spp) {

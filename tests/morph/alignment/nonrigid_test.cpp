@@ -24,7 +24,7 @@ Points warped(const Points& V) {
 }
 
 /// A lopsided star: no symmetry hides a wrong answer.
-Mesh shape(std::uint64_t seed) {
+Mesh bent_star(std::uint64_t seed) {
     Mesh mesh = star({.arms = 4, .inner = 0.6, .depth = 0.5}, {.triangles = 6000, .seed = seed});
     mesh.V.col(0) *= 1.3;
     mesh.V.col(2).array() += 0.25 * mesh.V.col(0).array().square();
@@ -54,8 +54,8 @@ double mean_error(const Mesh& target, const std::vector<SurfacePlace>& places, c
 }  // namespace
 
 TEST_CASE("a smooth warp of another tessellation is found") {
-    const Mesh source = shape(1);
-    Mesh target = shape(2);
+    const Mesh source = bent_star(1);
+    Mesh target = bent_star(2);
     target.V = warped(target.V);
     const Points truth = warped(source.V);
     const double before = mean_error(target, places_on(target, source.V, vertex_normals(source)), truth);
@@ -69,14 +69,14 @@ TEST_CASE("a smooth warp of another tessellation is found") {
 }
 
 TEST_CASE("a shape on itself stays where it is") {
-    const Mesh mesh = shape(1);
+    const Mesh mesh = bent_star(1);
     const NonRigidAlignment alignment = align_nonrigid(mesh, {}, mesh.V, mesh, {});
     CHECK((alignment.x - mesh.V).rowwise().norm().mean() < 2e-3 * bounding_box_diagonal(mesh.V));
 }
 
 TEST_CASE("units do not matter, nor does the number of threads", "[sweep]") {
-    const Mesh source = shape(1);
-    Mesh target = shape(2);
+    const Mesh source = bent_star(1);
+    Mesh target = bent_star(2);
     target.V = warped(target.V);
     const Points x = align_nonrigid(source, {}, source.V, target, {}).x;
     tbb::task_arena one(1);
@@ -88,7 +88,7 @@ TEST_CASE("units do not matter, nor does the number of threads", "[sweep]") {
 }
 
 TEST_CASE("the dense alignment of open shapes is one-to-one and far better than the registration alone") {
-    const Mesh whole = shape(3), other = shape(4);
+    const Mesh whole = bent_star(3), other = bent_star(4);
     const Mesh source = above(whole, -0.05);
     Mesh target = above(other, -0.05);
     const Points truth = warped(source.V);
@@ -110,8 +110,8 @@ TEST_CASE("the dense alignment of open shapes is one-to-one and far better than 
 }
 
 TEST_CASE("an open shape is laid densely on a closed one, whichever comes first") {
-    const Mesh part = above(shape(3), 0.1);
-    Mesh whole = shape(4);
+    const Mesh part = above(bent_star(3), 0.1);
+    Mesh whole = bent_star(4);
     whole.V = warped(whole.V);
     const Points truth = warped(part.V);
     double error[2];

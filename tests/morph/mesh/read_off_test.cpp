@@ -20,13 +20,6 @@ std::string off_error(const std::string& text) {
 }
 
 /// Two polygons over four vertices, (i, 10 i, -i).
-void check_two(const PolygonSoup& s) {
-    REQUIRE(s.V.rows() == 4);
-    for (int v = 0; v < 4; ++v) CHECK(s.V.row(v) == Eigen::RowVector3d(v, 10 * v, -v));
-    CHECK(s.polygon_start == std::vector<int>{0, 3, 7});
-    CHECK(s.polygon_vertices == std::vector<int>{0, 1, 2, 3, 2, 1, 0});
-}
-
 void append_big_endian(std::string& out, std::uint32_t bits) {
     for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(bits >> shift);
 }
@@ -36,53 +29,56 @@ void append_big_endian(std::string& out, std::uint32_t bits) {
 TEST_CASE("OFF is read in all its spellings") {
     const std::string vertices = "0 0 0\n1 10 -1\n2 20 -2\n3 30 -3\n", faces = "3 0 1 2\n4 3 2 1 0\n";
     SECTION("plain") {
-        check_two(off("OFF\n4 2 0\n" + vertices + faces));
+        check_triangle_and_quad(off("OFF\n4 2 0\n" + vertices + faces));
     }
     SECTION("counts on the keyword's line") {
-        check_two(off("OFF 4 2 5\n" + vertices + faces));
+        check_triangle_and_quad(off("OFF 4 2 5\n" + vertices + faces));
     }
     SECTION("no edge count") {
-        check_two(off("OFF\n4 2\n" + vertices + faces));
+        check_triangle_and_quad(off("OFF\n4 2\n" + vertices + faces));
     }
     SECTION("a count per line") {
-        check_two(off("OFF\n4\n2\n0\n" + vertices + faces));
+        check_triangle_and_quad(off("OFF\n4\n2\n0\n" + vertices + faces));
     }
     SECTION("no keyword") {
-        check_two(off("4 2 0\n" + vertices + faces));
+        check_triangle_and_quad(off("4 2 0\n" + vertices + faces));
     }
     SECTION("comments and blank lines anywhere") {
-        check_two(off(
+        check_triangle_and_quad(off(
             "# made by hand\n\nOFF # really\n# counts\n4 2 0# here\n\n0 0 0 # first\n1 10 -1\n#\n2 20 -2\n3 "
             "30 -3\n\n3 0 1 2\n#between\n4 3 2 1 0\n# end"));
     }
     SECTION("CR LF") {
-        check_two(off("OFF\r\n4 2 0\r\n0 0 0\r\n1 10 -1\r\n2 20 -2\r\n3 30 -3\r\n3 0 1 2\r\n4 3 2 1 0\r\n"));
+        check_triangle_and_quad(
+            off("OFF\r\n4 2 0\r\n0 0 0\r\n1 10 -1\r\n2 20 -2\r\n3 30 -3\r\n3 0 1 2\r\n4 3 2 1 0\r\n"));
     }
     SECTION("CR alone") {
-        check_two(off("OFF\r4 2 0\r0 0 0\r1 10 -1\r2 20 -2\r3 30 -3\r3 0 1 2\r4 3 2 1 0"));
+        check_triangle_and_quad(off("OFF\r4 2 0\r0 0 0\r1 10 -1\r2 20 -2\r3 30 -3\r3 0 1 2\r4 3 2 1 0"));
     }
     SECTION("byte order mark, tabs, plus signs, exponents") {
-        check_two(off("\xEF\xBB\xBFOFF\n4 2 0\n0\t0\t0\n+1 1e1 -1.0E0\n2 +20. -2\n.3e+1 30 -3\n" + faces));
+        check_triangle_and_quad(
+            off("\xEF\xBB\xBFOFF\n4 2 0\n0\t0\t0\n+1 1e1 -1.0E0\n2 +20. -2\n.3e+1 30 -3\n" + faces));
     }
     SECTION("everything on one line") {
-        check_two(off("OFF 4 2 0 0 0 0 1 10 -1 2 20 -2 3 30 -3 3 0 1 2 4 3 2 1 0"));
+        check_triangle_and_quad(off("OFF 4 2 0 0 0 0 1 10 -1 2 20 -2 3 30 -3 3 0 1 2 4 3 2 1 0"));
     }
     SECTION("a vertex over several lines") {
-        check_two(off("OFF\n4 2 0\n0\n0 0\n1 10\n-1 2 20 -2\n3 30 -3\n" + faces));
+        check_triangle_and_quad(off("OFF\n4 2 0\n0\n0 0\n1 10\n-1 2 20 -2\n3 30 -3\n" + faces));
     }
     SECTION("face colours") {
-        check_two(off("OFF\n4 2 0\n" + vertices + "3 0 1 2 255 0 0\n4 3 2 1 0 0.5 0.5 0.5 1\n"));
+        check_triangle_and_quad(
+            off("OFF\n4 2 0\n" + vertices + "3 0 1 2 255 0 0\n4 3 2 1 0 0.5 0.5 0.5 1\n"));
     }
     SECTION("vertex colours of four numbers") {
-        check_two(
+        check_triangle_and_quad(
             off("COFF\n4 2 0\n0 0 0 1 0 0 1\n1 10 -1 1 0 0 1\n2 20 -2 1 0 0 1\n3 30 -3 1 0 0 1\n" + faces));
     }
     SECTION("vertex colours of three numbers") {
-        check_two(
+        check_triangle_and_quad(
             off("COFF\n4 2 0\n0 0 0 255 0 0\n1 10 -1 255 0 0\n2 20 -2 255 0 0\n3 30 -3 255 0 0\n" + faces));
     }
     SECTION("vertex colours that the keyword does not announce") {
-        check_two(
+        check_triangle_and_quad(
             off("OFF\n4 2 0\n0 0 0 255 0 0\n1 10 -1 255 0 0\n2 20 -2 255 0 0\n3 30 -3 255 0 0\n" + faces));
     }
     SECTION("texture, colours and normals without line ends") {
@@ -90,7 +86,7 @@ TEST_CASE("OFF is read in all its spellings") {
         for (int v = 0; v < 4; ++v) {
             text += fmt::format(" {} {} {} 0 0 1  9 9 9 9  0.5 0.5", v, 10 * v, -v);
         }
-        check_two(off(text + " 3 0 1 2\n4 3 2 1 0\n"));
+        check_triangle_and_quad(off(text + " 3 0 1 2\n4 3 2 1 0\n"));
     }
 }
 
@@ -104,7 +100,7 @@ TEST_CASE("binary OFF is read, big endian, with what else its vertices and faces
     }
     for (const std::uint32_t x : {3U, 0U, 1U, 2U, 0U}) append_big_endian(data, x);
     for (const std::uint32_t x : {4U, 3U, 2U, 1U, 0U, 2U, 7U, 7U}) append_big_endian(data, x);
-    check_two(off(data));
+    check_triangle_and_quad(off(data));
     for (std::size_t length = 12; length < data.size(); ++length) {
         CHECK(contains(off_error(data.substr(0, length)), "a.off: byte "));
     }

@@ -73,21 +73,14 @@ std::string binary_ply(bool big, const std::string& count, const std::string& in
     return out;
 }
 
-void check_two(const PolygonSoup& s) {
-    REQUIRE(s.V.rows() == 4);
-    for (int v = 0; v < 4; ++v) CHECK(s.V.row(v) == Eigen::RowVector3d(v, 10 * v, -v));
-    CHECK(s.polygon_start == std::vector<int>{0, 3, 7});
-    CHECK(s.polygon_vertices == std::vector<int>{0, 1, 2, 3, 2, 1, 0});
-}
-
 }  // namespace
 
 TEST_CASE("binary PLY of either byte order is read with any types, extra properties and elements") {
     for (const bool big : {false, true}) {
-        check_two(ply(binary_ply<std::uint8_t, int>(big, "uchar", "int", "\n")));
-        check_two(ply(binary_ply<int, std::uint16_t>(big, "int32", "uint16", "\n")));
-        check_two(ply(binary_ply<std::int8_t, std::uint8_t>(big, "char", "uint8", "\r\n")));
-        check_two(ply(binary_ply<std::uint32_t, double>(big, "uint", "double", "\n")));
+        check_triangle_and_quad(ply(binary_ply<std::uint8_t, int>(big, "uchar", "int", "\n")));
+        check_triangle_and_quad(ply(binary_ply<int, std::uint16_t>(big, "int32", "uint16", "\n")));
+        check_triangle_and_quad(ply(binary_ply<std::int8_t, std::uint8_t>(big, "char", "uint8", "\r\n")));
+        check_triangle_and_quad(ply(binary_ply<std::uint32_t, double>(big, "uint", "double", "\n")));
     }
 }
 
@@ -121,7 +114,7 @@ TEST_CASE("text PLY is read with extra properties, comments, elements in any ord
             "x\r\nproperty "
             "list int float w\r\nproperty double y\r\nend_header\r\n3 0 1 2 255\r\n4 3 2 1 0 0\r\n"
             "9 0 0 0 0\r\n9 -1 1 2 7 8 10\r\n9 -2 2 0 20\r\n9 -3 3 1 nan 30\r\n");
-    check_two(s);
+    check_triangle_and_quad(s);
 }
 
 TEST_CASE("a PLY file without faces is a point cloud") {

@@ -8,6 +8,7 @@
 
 #include "morph/mesh/errors.h"
 #include "morph/mesh/io.h"
+#include "tests/catch.h"
 
 // Small shapes and helpers of the mesh tests.
 namespace automorph::testing {
@@ -158,6 +159,14 @@ std::string error_of(Action action) {
 
 inline bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
+}
+
+/// Checks that a soup holds the triangle and the quad of the readers' tests: four vertices (v, 10 v, -v).
+inline void check_triangle_and_quad(const PolygonSoup& s) {
+    REQUIRE(s.V.rows() == 4);
+    for (int v = 0; v < 4; ++v) CHECK(s.V.row(v) == Eigen::RowVector3d(v, 10 * v, -v));
+    CHECK(s.polygon_start == std::vector<int>{0, 3, 7});
+    CHECK(s.polygon_vertices == std::vector<int>{0, 1, 2, 3, 2, 1, 0});
 }
 
 }  // namespace automorph::testing

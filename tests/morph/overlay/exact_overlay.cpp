@@ -17,20 +17,20 @@ namespace {
 
 // Rays are scaled by one power of two to integers: directions and barycentric coordinates do not change.
 using Integer = CGAL::Exact_integer;
-using ExactRay = std::array<Integer, 3>;
+using IntegerRay = std::array<Integer, 3>;
 using Corners = std::vector<int>;           ///< sorted mesh vertices: 1 vertex, 2 edge, 3 triangle
 using Place = std::pair<Corners, Corners>;  ///< on a, on b
 using FacePair = std::pair<int, int>;
 
 /// One ray per direction: coordinates without a common divisor.
-ExactRay normalised(const ExactRay& r) {
+IntegerRay normalised(const IntegerRay& r) {
     const Integer divisor = CGAL::abs(CGAL::gcd(CGAL::gcd(r[0], r[1]), r[2]));
     if (divisor == 0) throw std::logic_error("a zero ray");
     return {CGAL::integral_division(r[0], divisor), CGAL::integral_division(r[1], divisor),
             CGAL::integral_division(r[2], divisor)};
 }
 
-Integer det(const ExactRay& a, const ExactRay& b, const ExactRay& c) {
+Integer det(const IntegerRay& a, const IntegerRay& b, const IntegerRay& c) {
     return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
            a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
@@ -63,10 +63,10 @@ Integer power_of_two(int exponent) {
 }
 
 /// The rays times 2^-least_exponent.
-std::vector<ExactRay> exact_rays(const Points& rays, int least_exponent) {
-    std::vector<ExactRay> exact;
+std::vector<IntegerRay> exact_rays(const Points& rays, int least_exponent) {
+    std::vector<IntegerRay> exact;
     for (int v = 0; v < rays.rows(); ++v) {
-        ExactRay ray;
+        IntegerRay ray;
         for (int k = 0; k < 3; ++k) {
             const Binary x = binary(rays(v, k));
             const Integer high(static_cast<int>(x.mantissa / (1 << 27))),
@@ -79,13 +79,14 @@ std::vector<ExactRay> exact_rays(const Points& rays, int least_exponent) {
 }
 
 /// The part of the cone `polygon` on the left of the plane through p and q.
-std::vector<ExactRay> clipped(const std::vector<ExactRay>& polygon, const ExactRay& p, const ExactRay& q) {
+std::vector<IntegerRay> clipped(const std::vector<IntegerRay>& polygon, const IntegerRay& p,
+                                const IntegerRay& q) {
     std::vector<Integer> side;
-    for (const ExactRay& x : polygon) side.push_back(det(p, q, x));
-    std::vector<ExactRay> kept;
+    for (const IntegerRay& x : polygon) side.push_back(det(p, q, x));
+    std::vector<IntegerRay> kept;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const std::size_t next = (k + 1) % polygon.size();
-        const ExactRay &x = polygon[k], &y = polygon[next];
+        const IntegerRay &x = polygon[k], &y = polygon[next];
         if (side[k] >= 0) kept.push_back(x);
         if ((side[k] > 0 && side[next] < 0) || (side[k] < 0 && side[next] > 0)) {
             const Integer wx = CGAL::abs(side[next]), wy = CGAL::abs(side[k]);
@@ -95,16 +96,16 @@ std::vector<ExactRay> clipped(const std::vector<ExactRay>& polygon, const ExactR
     return kept;
 }
 
-struct Map {
+struct ExactMap {
     const TestMap& map;
-    std::vector<ExactRay> rays;
-    std::array<ExactRay, 3> corners(int f) const {
+    std::vector<IntegerRay> rays;
+    std::array<IntegerRay, 3> corners(int f) const {
         return {rays[map.mesh.F(f, 0)], rays[map.mesh.F(f, 1)], rays[map.mesh.F(f, 2)]};
     }
 };
 
 /// Sign of det[a b c]: in doubles where that is beyond doubt, else in rationals.
-int sign(const Map& x, int a, int b, const Map& y, int c) {
+int sign(const ExactMap& x, int a, int b, const ExactMap& y, int c) {
     const Ray p = x.map.rays.row(a), q = x.map.rays.row(b), r = y.map.rays.row(c);
     const double value = p.cross(q).dot(r);
     if (std::abs(value) > 1e-12 * p.lpNorm<1>() * q.lpNorm<1>() * r.lpNorm<1>()) return value > 0 ? 1 : -1;
@@ -113,7 +114,7 @@ int sign(const Map& x, int a, int b, const Map& y, int c) {
 }
 
 /// True if an edge of `x` has all of `y` on its right or on it: the interiors do not meet. A filter only.
-bool separated(const Map& x, int fx, const Map& y, int fy) {
+bool separated(const ExactMap& x, int fx, const ExactMap& y, int fy) {
     for (int k = 0; k < 3; ++k) {
         const int p = x.map.mesh.F(fx, k), q = x.map.mesh.F(fx, (k + 1) % 3);
         bool outside = true;
@@ -124,7 +125,7 @@ bool separated(const Map& x, int fx, const Map& y, int fy) {
 }
 
 /// The corners whose barycentric coordinate is not zero, sorted. @pre x lies in the closed cone
-Corners corners(const Map& map, int f, const ExactRay& x) {
+Corners corners(const ExactMap& map, int f, const IntegerRay& x) {
     const auto r = map.corners(f);
     Corners result;
     for (int k = 0; k < 3; ++k) {
@@ -137,7 +138,7 @@ Corners corners(const Map& map, int f, const ExactRay& x) {
 }
 
 /// Barycentric coordinates in the flat triangle of the rays, rounded. @pre x lies in the closed cone
-Site site(const Map& map, int f, const ExactRay& x) {
+Site site(const ExactMap& map, int f, const IntegerRay& x) {
     const auto r = map.corners(f);
     const std::array<Integer, 3> w = {det(x, r[1], r[2]), det(x, r[2], r[0]), det(x, r[0], r[1])};
     const Integer sum = w[0] + w[1] + w[2];
@@ -163,10 +164,10 @@ Place place(const Overlay& overlay, int v) {
 /// Collects merged vertices; a direction and a place in the meshes must name the same one.
 struct Vertices {
     Overlay& overlay;
-    std::map<ExactRay, int> by_direction;
+    std::map<IntegerRay, int> by_direction;
     std::map<Place, int> by_place;
 
-    int add(const ExactRay& x, const Map& a, int fa, const Map& b, int fb) {
+    int add(const IntegerRay& x, const ExactMap& a, int fa, const ExactMap& b, int fb) {
         const auto [at, fresh] = by_direction.try_emplace(x, overlay.vertex_count());
         const auto [same, fresh_place] =
             by_place.try_emplace(Place(corners(a, fa, x), corners(b, fb, x)), at->second);
@@ -191,7 +192,7 @@ struct Vertices {
 
 Overlay exact_overlay(const TestMap& a, const TestMap& b) {
     const int exponent = std::min(least_exponent(a.rays), least_exponent(b.rays));
-    const Map map_a{a, exact_rays(a.rays, exponent)}, map_b{b, exact_rays(b.rays, exponent)};
+    const ExactMap map_a{a, exact_rays(a.rays, exponent)}, map_b{b, exact_rays(b.rays, exponent)};
     Overlay overlay;
     overlay.vertex_of_a.assign(a.rays.rows(), -1);
     overlay.vertex_of_b.assign(b.rays.rows(), -1);
@@ -201,11 +202,11 @@ Overlay exact_overlay(const TestMap& a, const TestMap& b) {
         for (int fb = 0; fb < b.mesh.triangle_count(); ++fb) {
             if (separated(map_a, fa, map_b, fb) || separated(map_b, fb, map_a, fa)) continue;
             const auto of_a = map_a.corners(fa), of_b = map_b.corners(fb);
-            std::vector<ExactRay> polygon;
-            for (const ExactRay& r : of_a) polygon.push_back(normalised(r));
+            std::vector<IntegerRay> polygon;
+            for (const IntegerRay& r : of_a) polygon.push_back(normalised(r));
             for (int k = 0; k < 3; ++k) polygon = clipped(polygon, of_b[k], of_b[(k + 1) % 3]);
             if (polygon.size() < 3) continue;
-            for (const ExactRay& x : polygon)
+            for (const IntegerRay& x : polygon)
                 overlay.polygon_vertices.push_back(vertices.add(x, map_a, fa, map_b, fb));
             overlay.polygon_start.push_back(static_cast<int>(overlay.polygon_vertices.size()));
             overlay.face_of_a.push_back(fa);

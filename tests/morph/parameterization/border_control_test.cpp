@@ -12,10 +12,6 @@ using namespace automorph;
 
 namespace {
 
-std::vector<int> border_of(const Mesh& mesh) {
-    return boundary_loops(mesh, connectivity(mesh.F, mesh.vertex_count())).at(0);
-}
-
 /// A dome with an oval border, no symmetry left.
 Mesh oval(int rings) {
     Mesh mesh = disks::dome(rings, 0.6);
@@ -42,12 +38,12 @@ Registration motion(double sigma) {
 
 TEST_CASE("the control pair of a shape and its moved copy is the same vertex, run the same way") {
     const Mesh source = oval(10);
-    const std::vector<int> loop = border_of(source);
+    const std::vector<int> loop = disks::border_of(source);
     for (const double sigma : {1e-3, 0.02, 0.2}) {
         const Registration registration = motion(sigma);
         auto [target, new_index] = disks::renumbered(source, 7);
         target.V = registration.apply(target.V);
-        const std::vector<int> target_loop = border_of(target);
+        const std::vector<int> target_loop = disks::border_of(target);
         const BorderControl control = registered_control(source, loop, target, target_loop, registration);
         INFO("sigma " << sigma);
         CHECK_FALSE(control.target_reversed);
@@ -68,23 +64,24 @@ TEST_CASE("C of the right direction is the mean square distance of the border fr
     Mesh target = source;
     target.V = registration.apply(target.V);
     const BorderControl control =
-        registered_control(source, border_of(source), target, border_of(target), registration);
+        registered_control(source, disks::border_of(source), target, disks::border_of(target), registration);
     CHECK(control.convolution == Approx(2.5 * 2.5).epsilon(1e-9));  // radius 1, scale 2.5
     CHECK(control.responsibility > 0.99);
 }
 
 TEST_CASE("a target whose triangles face the other way is detected and turned round") {
     const Mesh source = oval(9);
-    const std::vector<int> loop = border_of(source);
+    const std::vector<int> loop = disks::border_of(source);
     const Registration registration = motion(0.01);
     Mesh target = oval(11);  // another tessellation
     target.V = registration.apply(target.V);
-    const BorderControl straight = registered_control(source, loop, target, border_of(target), registration);
+    const BorderControl straight =
+        registered_control(source, loop, target, disks::border_of(target), registration);
     CHECK_FALSE(straight.target_reversed);
 
     Mesh inside_out = target;
     inside_out.F.col(0).swap(inside_out.F.col(1));
-    const std::vector<int> other_loop = border_of(inside_out);
+    const std::vector<int> other_loop = disks::border_of(inside_out);
     const BorderControl control = registered_control(source, loop, inside_out, other_loop, registration);
     CHECK(control.target_reversed);
     CHECK(control.convolution > control.convolution_reversed);
@@ -111,11 +108,11 @@ TEST_CASE("borders out of each other's reach are tied at their nearest pair") {
     // source's.
     const Mesh source = disks::flat(4);
     Mesh target = disks::flat(40);
-    for (const int v : border_of(target)) target.V.row(v) *= 3.0;
+    for (const int v : disks::border_of(target)) target.V.row(v) *= 3.0;
     target.V.rowwise() += Eigen::RowVector3d(0.05, 0.02, 0.0);
     Registration registration;
     registration.sigma = 1e-3;
-    const std::vector<int> loop = border_of(source), target_loop = border_of(target);
+    const std::vector<int> loop = disks::border_of(source), target_loop = disks::border_of(target);
     const BorderControl control = registered_control(source, loop, target, target_loop, registration);
     double nearest = 1e9;
     for (const int i : loop) {

@@ -15,10 +15,6 @@ using namespace automorph;
 
 namespace {
 
-std::vector<int> border_of(const Mesh& mesh) {
-    return boundary_loops(mesh, connectivity(mesh.F, mesh.vertex_count())).at(0);
-}
-
 /// Points on the unit circle at the given angles in turns.
 Points on_circle(const std::vector<double>& turns) {
     Points points(static_cast<Eigen::Index>(turns.size()), 3);
@@ -139,7 +135,7 @@ TEST_CASE("the union of a hexagon and a square has eight vertices at known place
 
 TEST_CASE("equal borders share every vertex and nothing is inserted") {
     const Mesh mesh = disks::dome(6, 0.7);
-    const std::vector<int> loop = border_of(mesh);
+    const std::vector<int> loop = disks::border_of(mesh);
     BorderControl control;
     control.source = control.target = 5;
     Mesh moved = mesh;  // the same shape in another place, at another scale and written with six digits
@@ -165,7 +161,7 @@ TEST_CASE("both meshes get the same border and keep their surfaces") {
     for (const auto& [name_a, a] : meshes) {
         for (const auto& [name_b, b] : meshes) {
             INFO(name_a << " and " << name_b);
-            const std::vector<int> loop_a = border_of(a), loop_b = border_of(b);
+            const std::vector<int> loop_a = disks::border_of(a), loop_b = disks::border_of(b);
             const int na = static_cast<int>(loop_a.size()), nb = static_cast<int>(loop_b.size());
             BorderControl control;
             control.source = na / 3;
@@ -331,7 +327,7 @@ TEST_CASE("a border of a million vertices is united in time n log n") {
 
 TEST_CASE("a loop that is not the mesh's border is refused with the counts") {
     const Mesh mesh = disks::flat(3);
-    std::vector<int> loop = border_of(mesh);
+    std::vector<int> loop = disks::border_of(mesh);
     std::reverse(loop.begin(), loop.end());
     const BorderUnion u = border_union(loop_points(mesh, loop), regular(5), {});
     CHECK_THROWS_AS(insert_border(mesh, loop, u.source), InvalidMesh);

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "morph/mesh/connectivity.h"
 #include "morph/mesh/mesh.h"
 
 /// Disks built in code for the tests of this folder. Angles in radians; triangles counter-clockwise from +z.
@@ -160,6 +161,11 @@ inline Renumbered renumbered(const Mesh& mesh, unsigned seed) {
         }
     }
     return result;
+}
+
+/// The one border of a mesh.
+inline std::vector<int> border_of(const Mesh& mesh) {
+    return automorph::boundary_loops(mesh, automorph::connectivity(mesh.F, mesh.vertex_count())).at(0);
 }
 
 }  // namespace disks

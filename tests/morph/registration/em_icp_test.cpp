@@ -12,14 +12,6 @@
 
 using namespace automorph;
 
-namespace {
-
-double degrees(double radians) {
-    return radians * 180.0 / std::numbers::pi;
-}
-
-}  // namespace
-
 TEST_CASE("responsibilities obey Eq. (6)") {
     test::Random random(1);
     const Points source = test::random_points(40, random), target = test::random_points(30, random);
@@ -107,10 +99,10 @@ TEST_CASE("EM-ICP brings a shape near its pose, and the polish home") {
         const EmIcpResult result = em_icp(mesh.V, tree, {turn * truth.R, truth.t});
         REQUIRE(result.converged);
         // Eq. (5) alone may stop some degrees away on a smooth shape; the polish must not.
-        REQUIRE(degrees(rotation_angle(result.motion.R * truth.R.transpose())) < 15.0);
+        REQUIRE(test::degrees(rotation_angle(result.motion.R * truth.R.transpose())) < 15.0);
         const Points normals = vertex_normals(mesh) * truth.R.transpose();
         const EmIcpResult polished = polish_along_normals(mesh.V, tree, normals, result.motion);
-        REQUIRE(degrees(rotation_angle(polished.motion.R * truth.R.transpose())) < 0.05);
+        REQUIRE(test::degrees(rotation_angle(polished.motion.R * truth.R.transpose())) < 0.05);
     }
 }
 
@@ -135,14 +127,14 @@ TEST_CASE("the starting rotations are proper and no rotation is far from all of 
     }
     for (int i = 0; i < 60; ++i) {
         for (int j = 0; j < i; ++j)
-            REQUIRE(degrees(rotation_angle(starts[i] * starts[j].transpose())) > 71.9);
+            REQUIRE(test::degrees(rotation_angle(starts[i] * starts[j].transpose())) > 71.9);
     }
     double farthest = 0.0;
     for (int trial = 0; trial < 2000; ++trial) {
         const Eigen::Matrix3d R = random.rotation();
         double nearest = 180.0;
         for (int i = 0; i < 60; ++i)
-            nearest = std::min(nearest, degrees(rotation_angle(starts[i] * R.transpose())));
+            nearest = std::min(nearest, test::degrees(rotation_angle(starts[i] * R.transpose())));
         farthest = std::max(farthest, nearest);
     }
     CHECK(farthest < 44.5);

@@ -15,10 +15,6 @@ using namespace automorph;
 
 namespace {
 
-double degrees(double radians) {
-    return radians * 180.0 / std::numbers::pi;
-}
-
 // A known similarity of arbitrary turn.
 struct Pose {
     Eigen::Matrix3d R;
@@ -35,7 +31,7 @@ struct Errors {
     double degrees = 0.0, scale = 0.0, place = 0.0;  // place: of vertices, relative to the target's diagonal
 
     Errors(const Registration& found, const Pose& truth, const Mesh& mesh)
-        : degrees(::degrees(rotation_angle(found.R * truth.R.transpose()))),
+        : degrees(test::degrees(rotation_angle(found.R * truth.R.transpose()))),
           scale(std::abs(found.scale / truth.scale - 1.0)) {
         const Points expected = truth.of(mesh).V;
         place =
@@ -169,7 +165,7 @@ TEST_CASE("of equally good poses the one that turns least is taken") {
     const Eigen::Matrix3d turn =
         Eigen::AngleAxisd(0.5, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
     const Registration found = register_rigid(a, test::moved(b, turn, {1, 2, 3}, 1.0));
-    CHECK(degrees(rotation_angle(found.R * turn.transpose())) < 1.0);
+    CHECK(test::degrees(rotation_angle(found.R * turn.transpose())) < 1.0);
 }
 
 TEST_CASE("an open mesh that faces the other way is registered all the same") {
@@ -204,7 +200,7 @@ TEST_CASE("different crops of one shape still find their pose") {
     for (int trial = 0; trial < 5; ++trial) {
         const Pose pose(random);
         const Registration found = register_rigid(a, pose.of(b));
-        CHECK(degrees(rotation_angle(found.R * pose.R.transpose())) < 5.0);
+        CHECK(test::degrees(rotation_angle(found.R * pose.R.transpose())) < 5.0);
     }
 }
 
@@ -218,7 +214,7 @@ TEST_CASE("a shape of which the other has only a part is found at its own size")
             const Registration found =
                 backwards ? register_rigid(part, pose.of(whole)) : register_rigid(whole, pose.of(part));
             CAPTURE(backwards, found.scale / pose.scale);
-            const bool right = degrees(rotation_angle(found.R * pose.R.transpose())) < 5.0;
+            const bool right = test::degrees(rotation_angle(found.R * pose.R.transpose())) < 5.0;
             CHECK((right || !found.confident));
             if (!backwards) CHECK(right);
             // By the sizes alone it would be 10 % off.

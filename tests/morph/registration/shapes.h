@@ -18,6 +18,10 @@
 
 namespace automorph::test {
 
+inline double degrees(double radians) {
+    return radians * 180.0 / std::numbers::pi;
+}
+
 /// Random numbers that are the same with every standard library.
 class Random {
 public:

@@ -1,6 +1,7 @@
 #include "morph/shapes/remesh.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "morph/mesh/connectivity.h"
 #include "morph/mesh/errors.h"
@@ -13,7 +14,7 @@ using namespace automorph;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+using std::numbers::pi;
 
 FieldSample unit_sphere(const Eigen::Vector3d& p) {
     return {p.squaredNorm() - 1.0, 2.0 * p};
@@ -32,7 +33,7 @@ Mesh torus_grid(int around, int across) {
     mesh.F.resize(2 * around * across, 3);
     for (int i = 0; i < around; ++i) {
         for (int j = 0; j < across; ++j) {
-            const double u = 2 * kPi * i / around, v = 2 * kPi * j / across, r = 1 + 0.35 * std::cos(v);
+            const double u = 2 * pi * i / around, v = 2 * pi * j / across, r = 1 + 0.35 * std::cos(v);
             mesh.V.row(i * across + j) << r * std::cos(u), r * std::sin(u), 0.35 * std::sin(v);
             const int i1 = (i + 1) % around, j1 = (j + 1) % across;
             mesh.F.row(2 * (i * across + j)) << i * across + j, i1 * across + j, i1 * across + j1;
@@ -54,7 +55,7 @@ TEST_CASE("Remeshing keeps the genus and makes even triangles of any mesh near t
         const Connectivity topology = connectivity(mesh.F, mesh.vertex_count());
         CHECK(euler_characteristic(topology) == 0);
         // Chords of the small circle: a share of about h^2 / (4 r^2) of the volume is missing.
-        const double area = 4 * kPi * kPi * 0.35, volume = 2 * kPi * kPi * 0.35 * 0.35;
+        const double area = 4 * pi * pi * 0.35, volume = 2 * pi * pi * 0.35 * 0.35;
         const double chords = area * 4.0 / std::sqrt(3.0) / triangles / (4 * 0.35 * 0.35);
         CHECK(triangle_areas(mesh).sum() == Approx(area).epsilon(chords));
         CHECK(signed_volume(mesh) == Approx(volume).epsilon(chords));
@@ -124,10 +125,10 @@ TEST_CASE("A start that is not closed is refused") {
 
 TEST_CASE("Projection finds the point of the surface to rounding") {
     const Eigen::Vector3d p(0.9, 0.5, 0.3);
-    const SurfacePoint found = project(unit_sphere, p);
+    const ImplicitPoint found = project(unit_sphere, p);
     CHECK((found.position - p.normalized()).norm() < 1e-15);
     CHECK((found.normal - p.normalized()).norm() < 1e-15);
-    const SurfacePoint far = project(unit_sphere, 1e6 * p);
+    const ImplicitPoint far = project(unit_sphere, 1e6 * p);
     CHECK((far.position - p.normalized()).norm() < 1e-14);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -18,7 +19,7 @@ using namespace automorph;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+using std::numbers::pi;
 const Eigen::Vector3d kAxes(1.0, 0.75, 0.55);
 
 ShapeOptions tessellation(int triangles, std::uint64_t seed = 1) {
@@ -112,7 +113,7 @@ TEST_CASE("Vertices of an ellipsoid lie on it") {
 }
 
 TEST_CASE("Volume and area converge quadratically to those of the ellipsoid") {
-    const double volume = 4.0 / 3.0 * kPi * kAxes.prod();
+    const double volume = 4.0 / 3.0 * pi * kAxes.prod();
     const double coarse = volume - signed_volume(ellipsoid(kAxes, tessellation(1000)));
     const double fine = volume - signed_volume(ellipsoid(kAxes, tessellation(16000)));
     CHECK(coarse > 0.0);
@@ -120,7 +121,7 @@ TEST_CASE("Volume and area converge quadratically to those of the ellipsoid") {
     CHECK(coarse / fine == Approx(16.0).epsilon(0.1));
 
     const Mesh ball = ellipsoid({2, 2, 2}, tessellation(16000));
-    CHECK(triangle_areas(ball).sum() == Approx(16.0 * kPi).epsilon(1e-3));
+    CHECK(triangle_areas(ball).sum() == Approx(16.0 * pi).epsilon(1e-3));
 }
 
 TEST_CASE("Triangles are even", "[sweep]") {
@@ -168,7 +169,7 @@ TEST_CASE("A star has its tips, valleys and thickness where they were asked for"
             parameters.depth = 0.5;
             const ImplicitSurface surface = star_surface(parameters);
             for (int k = 0; k < arms; ++k) {
-                const double tip = 2.0 * kPi * k / arms, valley = 2.0 * kPi * (k + 0.5) / arms;
+                const double tip = 2.0 * pi * k / arms, valley = 2.0 * pi * (k + 0.5) / arms;
                 const Eigen::Vector3d to_tip(std::cos(tip), std::sin(tip), 0.0);
                 const Eigen::Vector3d to_valley(std::cos(valley), std::sin(valley), 0.0);
                 CHECK(surface(2.0 * to_tip).value == Approx(0.0).margin(1e-12));
@@ -212,8 +213,7 @@ TEST_CASE("A star's vertices lie on its surface") {
 TEST_CASE("The star's field is symmetric and its gradient is that of its values") {
     StarParameters parameters;
     const ImplicitSurface surface = star_surface(parameters);
-    const Eigen::Matrix3d turn =
-        Eigen::AngleAxisd(2.0 * kPi / 5, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(2.0 * pi / 5, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     for (int k = 0; k < 50; ++k) {
         const Eigen::Vector3d p =
             Eigen::Vector3d(std::sin(1.0 + 3 * k), std::sin(2.0 + 7 * k), 0.4 * std::sin(5.0 * k));

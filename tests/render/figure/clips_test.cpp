@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kTiny = R"(title: Tiny
+const std::string kTinyClips = R"(title: Tiny
 source: {shape: ellipsoid, semi_axes: [1, 0.8, 0.5], triangles: 200, seed: 3}
 target: {shape: star, triangles: 300}
 rows:
@@ -68,7 +68,7 @@ TEST_CASE("a loop goes from the source to the target and back, slowly at both, w
 }
 
 TEST_CASE("videos have the cells' shape, with even sides") {
-    FigureConfig config = parse_config(kTiny, "tiny.yaml");
+    FigureConfig config = parse_config(kTinyClips, "tiny.yaml");
     CHECK(video_size(config).width == 32);
     CHECK(video_size(config).height == 24);
     config.video.size = 33;
@@ -82,7 +82,7 @@ TEST_CASE("each row has a video, one row turns, and half of a loop's frames are 
         return;
     }
     const TemporaryFolder folder;
-    const FigureConfig config = parse_config(kTiny, "tiny.yaml");
+    const FigureConfig config = parse_config(kTinyClips, "tiny.yaml");
     Figure figure = render_figure(config);
     make_clips(config, {}, folder.path(), figure);
     CHECK(figure.no_videos.empty());
@@ -132,7 +132,7 @@ TEST_CASE("clips are coloured and marked as the cells are") {
     const auto clip_chroma = [&](const std::vector<std::string>& more) {
         std::vector<std::string> overrides = still;
         overrides.insert(overrides.end(), more.begin(), more.end());
-        const FigureConfig config = parse_config(kTiny, "tiny.yaml", overrides);
+        const FigureConfig config = parse_config(kTinyClips, "tiny.yaml", overrides);
         Figure figure = render_figure(config);
         make_clips(config, {}, folder / "out", figure);
         std::vector<double> result;
@@ -169,7 +169,7 @@ TEST_CASE("a turntable is coloured as the cells are") {
     }
     const TemporaryFolder folder;
     const auto first_frame = [&](const std::vector<std::string>& overrides) {
-        const FigureConfig config = parse_config(kTiny, "tiny.yaml", overrides);
+        const FigureConfig config = parse_config(kTinyClips, "tiny.yaml", overrides);
         Figure figure = render_figure(config);
         make_clips(config, {}, folder.path(), figure);
         const std::string command = "ffmpeg -v error -y -i '" + (folder / "turntable.mp4").string() +
@@ -183,7 +183,7 @@ TEST_CASE("a turntable is coloured as the cells are") {
 
 TEST_CASE("without ffmpeg there are stills but no videos, and the reason is told") {
     const TemporaryFolder folder;
-    const FigureConfig config = parse_config(kTiny, "tiny.yaml");
+    const FigureConfig config = parse_config(kTinyClips, "tiny.yaml");
     Figure figure = render_figure(config);
     const PathOnly none(folder.path());
     CHECK_FALSE(has_ffmpeg());

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kShortest = "source: a.off\ntarget: b.off\nrows: [{label: one}]\n";
+const std::string kShortConfig = "source: a.off\ntarget: b.off\nrows: [{label: one}]\n";
 
 void write(const fs::path& file, const std::string& text) {
     fs::create_directories(file.parent_path());
@@ -34,7 +34,7 @@ std::string error_of(const fs::path& file, const std::vector<std::string>& overr
 
 std::string override_error(const std::string& text) {
     try {
-        parse_config(kShortest, "fig.yaml", {text});
+        parse_config(kShortConfig, "fig.yaml", {text});
     } catch (const ConfigError& error) {
         return error.what();
     }
@@ -72,15 +72,15 @@ TEST_CASE("errors name file, line and column of the text that is wrong") {
     const TemporaryFolder folder;
     const std::string base = (folder / "base.yaml").string(), top = (folder / "top.yaml").string();
     write(top, "extends: base.yaml\n\n\ntitle: T\n");
-    write(base, kShortest + "picture: {spp: 0}\n");
+    write(base, kShortConfig + "picture: {spp: 0}\n");
     CHECK(error_of(top).rfind(base + ":4:16: picture.spp: found '0'", 0) == 0);
-    write(base, kShortest + "picture: {spq: 1}\n");
+    write(base, kShortConfig + "picture: {spq: 1}\n");
     CHECK(error_of(top).rfind(base + ":4:11: unknown key 'spq' in picture; did you mean 'spp'?", 0) == 0);
-    write(base, kShortest + "picture: [\n");
+    write(base, kShortConfig + "picture: [\n");
     CHECK(error_of(top).rfind(base + ":", 0) == 0);
-    write(base, kShortest + "seed: 1\nseed: 2\n");
+    write(base, kShortConfig + "seed: 1\nseed: 2\n");
     CHECK(error_of(top).rfind(base + ":5:1: 'seed' is given twice", 0) == 0);
-    write(base, kShortest + "picture: {width: 20}\n");
+    write(base, kShortConfig + "picture: {width: 20}\n");
     write(top, "extends: base.yaml\npicture:\n  sqq: 1\n");
     CHECK(error_of(top).rfind(top + ":3:3: unknown key 'sqq'", 0) == 0);
     write(top, "extends: base.yaml\nshow: map\n");
@@ -125,7 +125,7 @@ TEST_CASE("aliases, which merging would change in all their places, are refused 
 
 TEST_CASE("keys are set from the command line by their paths, checked by the same table") {
     const FigureConfig config = parse_config(
-        kShortest, "folder/fig.yaml",
+        kShortConfig, "folder/fig.yaml",
         {"picture.spp=16", "rows[0].domain=disk", "alphas=[0, 1/3, 1]", "source={shape: star}",
          "source.arms=9", "picture.spp=32", "title=a = b", "rows[0].features.radius=0.4", "target=x/c.off"});
     CHECK(config.picture.spp == 32);
@@ -157,12 +157,12 @@ TEST_CASE("keys are set from the command line by their paths, checked by the sam
 }
 
 TEST_CASE("the hash of a config changes with its text, what it extends and what is set") {
-    const FigureConfig plain = parse_config(kShortest, "a.yaml");
+    const FigureConfig plain = parse_config(kShortConfig, "a.yaml");
     CHECK(config_hash(plain).size() == 24);
     CHECK(config_hash(plain).rfind("fnv1a64:", 0) == 0);
-    CHECK(config_hash(plain) == config_hash(parse_config(kShortest, "elsewhere/b.yaml")));
-    CHECK(config_hash(plain) != config_hash(parse_config(kShortest + "#\n", "a.yaml")));
-    CHECK(config_hash(plain) != config_hash(parse_config(kShortest, "a.yaml", {"seed=1"})));
+    CHECK(config_hash(plain) == config_hash(parse_config(kShortConfig, "elsewhere/b.yaml")));
+    CHECK(config_hash(plain) != config_hash(parse_config(kShortConfig + "#\n", "a.yaml")));
+    CHECK(config_hash(plain) != config_hash(parse_config(kShortConfig, "a.yaml", {"seed=1"})));
     // FNV-1a's own test vector: "a" is af63dc4c8601ec8c; the end of the text adds a byte ff.
     FigureConfig one;
     one.text = "a";
@@ -188,7 +188,7 @@ TEST_CASE("a selection is numbers and ranges from 1") {
 }
 
 TEST_CASE("a draft costs a fraction of the normal quality, the final one a multiple") {
-    const FigureConfig normal = parse_config(kShortest, "a.yaml");
+    const FigureConfig normal = parse_config(kShortConfig, "a.yaml");
     const auto cost = [](const FigureConfig& config) {
         const double cell = 1.0 * config.picture.width * config.picture.height * config.picture.spp;
         const double frame = 1.0 * config.video.size * config.video.size * config.video.spp;

@@ -12,7 +12,7 @@ using namespace automorph;
 
 namespace {
 
-const std::string kTiny = R"(title: Tiny
+const std::string kTinyPanels = R"(title: Tiny
 source: {shape: ellipsoid, semi_axes: [1, 0.8, 0.5], triangles: 300, seed: 3}
 target: {shape: star, triangles: 600, rotation: {axis: [1, 0, 0], degrees: 40}}
 rows:
@@ -75,7 +75,7 @@ Eigen::Vector3d facing(const Mesh& mesh, const MapPose& pose) {
 }  // namespace
 
 TEST_CASE("each morph has its maps as pictures, and its features where they aligned the maps") {
-    const FigureConfig config = parse_config(kTiny, "tiny.yaml");
+    const FigureConfig config = parse_config(kTinyPanels, "tiny.yaml");
     const Figure figure = render_figure(config);
     REQUIRE(figure.panels.size() == 2);  // two rows share a morph
     const MorphPanels &sphere = figure.panels[0], &cut = figure.panels[1];
@@ -112,7 +112,7 @@ TEST_CASE("each morph has its maps as pictures, and its features where they alig
 
 TEST_CASE(
     "only what selected rows show is drawn, the same as in the whole figure, and nothing if not wanted") {
-    const FigureConfig config = parse_config(kTiny, "tiny.yaml");
+    const FigureConfig config = parse_config(kTinyPanels, "tiny.yaml");
     FigureOptions options;
     options.rows = Selection("2");
     options.threads = 1;
@@ -165,7 +165,7 @@ TEST_CASE("the other shape's map is turned like the first, and lit as if it lay 
     const MapPose beside = pose_beside(pose, turned, R.transpose());
     CHECK(beside.rays == pose.rays);
     CHECK((beside.shape * R).isApprox(pose.shape, 1e-12));
-    const FigureConfig config = parse_config(kTiny, "tiny.yaml");
+    const FigureConfig config = parse_config(kTinyPanels, "tiny.yaml");
     const FigureOptions options;
     const Shooting shooting{.picture = config.picture,
                             .options = options,

@@ -17,12 +17,7 @@ using namespace automorph::render;
 
 namespace {
 
-bool same_bits(const Image& a, const Image& b) {
-    return a.pixels.size() == b.pixels.size() &&
-           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(float)) == 0;
-}
-
-Scene lit_sphere() {
+Scene colored_sphere() {
     const Shape sphere = icosphere(3), plane = square(5.0, -1.0);
     Scene scene;
     MeshOptions body;
@@ -37,7 +32,7 @@ Scene lit_sphere() {
 }  // namespace
 
 TEST_CASE("layers say what is seen in the middle of the picture and beside it") {
-    Scene scene = lit_sphere();
+    Scene scene = colored_sphere();
     Camera camera;
     camera.position = {0.0, -5.0, 0.0};
     RenderOptions options = small_picture(65, 16);
@@ -68,7 +63,7 @@ TEST_CASE("layers say what is seen in the middle of the picture and beside it") 
 
 TEST_CASE("layers do not change the picture, nor do threads change the layers") {
     RenderOptions options = small_picture(33, 8);
-    Scene scene = lit_sphere();
+    Scene scene = colored_sphere();
     const Image plain = render::render(scene, {}, options).image;
     options.layers = true;
     options.threads = 1;
@@ -84,7 +79,7 @@ TEST_CASE("layers do not change the picture, nor do threads change the layers") 
 }
 
 TEST_CASE("the variance is not below that between pictures of different seeds, nor far above") {
-    Scene scene = lit_sphere();
+    Scene scene = colored_sphere();
     RenderOptions options = small_picture(16, 4);
     options.layers = true;
     std::vector<double> mean(16 * 16 * 3), squares(16 * 16 * 3);
@@ -109,7 +104,7 @@ TEST_CASE("the variance is not below that between pictures of different seeds, n
 }
 
 TEST_CASE("adaptive sampling spends samples where the noise is, alike for any threads, without bias") {
-    Scene scene = lit_sphere();
+    Scene scene = colored_sphere();
     RenderOptions options = small_picture(48, 512);
     const Image all = render::render(scene, {}, options).image;
     options.adaptive_error = 0.04;

@@ -10,6 +10,7 @@
 
 #include "morph/mesh/errors.h"
 #include "tests/catch.h"
+#include "tests/render/picture_mean.h"
 #include "tests/render/shapes.h"
 
 using namespace automorph;
@@ -35,11 +36,6 @@ RenderOptions options_of(int width, int height, int spp) {
     options.height = height;
     options.spp = spp;
     return options;
-}
-
-bool same_bits(const Image& a, const Image& b) {
-    return a.pixels.size() == b.pixels.size() &&
-           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(float)) == 0;
 }
 
 bool all_finite(const Image& image) {
