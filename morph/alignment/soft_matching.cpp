@@ -63,12 +63,12 @@ struct Pairs {
 };
 
 Pairs united(const Neighbours& of_source, const Neighbours& of_target, Eigen::Index sources) {
-    struct Pair {
+    struct Neighbour {
         int target;
         double squared_distance;
     };
     const auto n = static_cast<std::size_t>(sources);
-    std::vector<std::vector<Pair>> rows(n);
+    std::vector<std::vector<Neighbour>> rows(n);
     for (std::size_t i = 0; i < n; ++i) {
         for (int m = 0; m < of_source.k; ++m) {
             const std::size_t at = i * static_cast<std::size_t>(of_source.k) + static_cast<std::size_t>(m);
@@ -82,7 +82,8 @@ Pairs united(const Neighbours& of_source, const Neighbours& of_target, Eigen::In
     Pairs pairs;
     pairs.start.push_back(0);
     for (auto& row : rows) {
-        std::sort(row.begin(), row.end(), [](const Pair& a, const Pair& b) { return a.target < b.target; });
+        std::sort(row.begin(), row.end(),
+                  [](const Neighbour& a, const Neighbour& b) { return a.target < b.target; });
         for (std::size_t m = 0; m < row.size(); ++m) {
             if (m > 0 && row[m].target == row[m - 1].target) continue;
             pairs.target.push_back(row[m].target);

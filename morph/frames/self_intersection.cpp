@@ -69,9 +69,9 @@ void bound(const RTCBoundsFunctionArguments* arguments) {
     const Corners t = search.corners(static_cast<int>(arguments->primID));
     const Vector3d low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
     // Rounded outwards to floats.
-    constexpr float kFar = std::numeric_limits<float>::infinity();
-    const auto down = [](double x) { return std::nextafter(static_cast<float>(x), -kFar); };
-    const auto up = [](double x) { return std::nextafter(static_cast<float>(x), kFar); };
+    constexpr float kBeyond = std::numeric_limits<float>::infinity();
+    const auto down = [](double x) { return std::nextafter(static_cast<float>(x), -kBeyond); };
+    const auto up = [](double x) { return std::nextafter(static_cast<float>(x), kBeyond); };
     RTCBounds& box = *arguments->bounds_o;
     box.lower_x = down(low.x());
     box.lower_y = down(low.y());

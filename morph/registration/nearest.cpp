@@ -10,26 +10,23 @@ namespace {
 
 constexpr std::size_t kLeafSize = 12;  // points per leaf; 8 to 20 are equally fast
 
-// What nanoflann asks of a point set.
-template <int Dim>
-struct RowsAdaptor {
-    typename NearestPoints<Dim>::Rows rows;
-
-    std::size_t kdtree_get_point_count() const { return static_cast<std::size_t>(rows.rows()); }
-    double kdtree_get_pt(std::size_t row, std::size_t column) const {
-        return rows(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
-    }
-    template <class Box>
-    bool kdtree_get_bbox(Box&) const {
-        return false;  // nanoflann computes it
-    }
-};
-
 }  // namespace
 
 template <int Dim>
 struct NearestPoints<Dim>::Tree {
-    using Set = RowsAdaptor<Dim>;
+    // What nanoflann asks of a point set.
+    struct Set {
+        Rows rows;
+
+        std::size_t kdtree_get_point_count() const { return static_cast<std::size_t>(rows.rows()); }
+        double kdtree_get_pt(std::size_t row, std::size_t column) const {
+            return rows(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+        }
+        template <class Box>
+        bool kdtree_get_bbox(Box&) const {
+            return false;  // nanoflann computes it
+        }
+    };
     // The index type is spelled out: query() hands nanoflann an array of it.
     using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Set>, Set, Dim,
                                                       std::uint32_t>;

@@ -24,6 +24,8 @@ using Vertex = OpenMesh::VertexHandle;
 constexpr double kSnap = 0.45;
 // A triangle may turn by an angle of this cosine when a corner moves.
 constexpr double kLeastCosine = 0.5;
+/// Sum of cotangents below which an edge is flipped: not 0, so that no edge of a square flips for ever.
+constexpr double kLeastCotangents = -1e-9;
 
 /// The point of both zero levels that Newton's method with steps of least length reaches.
 Vector project_to_curve(const ImplicitSurface& surface, const ImplicitSurface& side, const Vector& start) {
@@ -129,7 +131,6 @@ private:
     /// Makes the triangles Delaunay again where no border edge goes and no edge crosses the border for it.
     void flip() {
         constexpr int kPasses = 4;
-        constexpr double kDelaunay = -1e-9;  // not 0, so that no edge of a square flips for ever
         const auto cotangent = [](const Vector& u, const Vector& v) {
             return u.dot(v) / std::max(u.cross(v).norm(), 1e-300);
         };
@@ -141,7 +142,7 @@ private:
                              d = topology_.to_vertex_handle(topology_.next_halfedge_handle(o));
                 if ((value(a) == 0.0 && value(b) == 0.0) || value(c) * value(d) < 0.0) continue;
                 const Vector pa = position(a), pb = position(b), pc = position(c), pd = position(d);
-                if (cotangent(pa - pc, pb - pc) + cotangent(pa - pd, pb - pd) >= kDelaunay) continue;
+                if (cotangent(pa - pc, pb - pc) + cotangent(pa - pd, pb - pd) >= kLeastCotangents) continue;
                 const Vector before = (pb - pa).cross(pc - pa) + (pd - pa).cross(pb - pa);
                 const Vector first = (pb - pd).cross(pc - pd), second = (pc - pd).cross(pa - pd);
                 const bool is_upright = first.dot(before) > kLeastCosine * first.norm() * before.norm() &&
