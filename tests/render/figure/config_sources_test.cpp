@@ -23,7 +23,7 @@ void write(const fs::path& file, const std::string& text) {
     std::ofstream(file, std::ios::binary) << text;
 }
 
-std::string error_of(const fs::path& file, const std::vector<std::string>& overrides = {}) {
+std::string error_of_file(const fs::path& file, const std::vector<std::string>& overrides = {}) {
     try {
         load_config(file, overrides);
     } catch (const ConfigError& error) {
@@ -73,36 +73,37 @@ TEST_CASE("errors name file, line and column of the text that is wrong") {
     const std::string base = (folder / "base.yaml").string(), top = (folder / "top.yaml").string();
     write(top, "extends: base.yaml\n\n\ntitle: T\n");
     write(base, kShortConfig + "picture: {spp: 0}\n");
-    CHECK(error_of(top).rfind(base + ":4:16: picture.spp: found '0'", 0) == 0);
+    CHECK(error_of_file(top).rfind(base + ":4:16: picture.spp: found '0'", 0) == 0);
     write(base, kShortConfig + "picture: {spq: 1}\n");
-    CHECK(error_of(top).rfind(base + ":4:11: unknown key 'spq' in picture; did you mean 'spp'?", 0) == 0);
+    CHECK(error_of_file(top).rfind(base + ":4:11: unknown key 'spq' in picture; did you mean 'spp'?", 0) ==
+          0);
     write(base, kShortConfig + "picture: [\n");
-    CHECK(error_of(top).rfind(base + ":", 0) == 0);
+    CHECK(error_of_file(top).rfind(base + ":", 0) == 0);
     write(base, kShortConfig + "seed: 1\nseed: 2\n");
-    CHECK(error_of(top).rfind(base + ":5:1: 'seed' is given twice", 0) == 0);
+    CHECK(error_of_file(top).rfind(base + ":5:1: 'seed' is given twice", 0) == 0);
     write(base, kShortConfig + "picture: {width: 20}\n");
     write(top, "extends: base.yaml\npicture:\n  sqq: 1\n");
-    CHECK(error_of(top).rfind(top + ":3:3: unknown key 'sqq'", 0) == 0);
+    CHECK(error_of_file(top).rfind(top + ":3:3: unknown key 'sqq'", 0) == 0);
     write(top, "extends: base.yaml\nshow: map\n");
-    CHECK(error_of(top).rfind(base + ":2:1: 'target' has no meaning", 0) == 0);
+    CHECK(error_of_file(top).rfind(base + ":2:1: 'target' has no meaning", 0) == 0);
     write(top, "extends: gone.yaml\n");
-    CHECK(error_of(top).rfind(top + ":1:10: extends: " + (folder / "gone.yaml").string(), 0) == 0);
+    CHECK(error_of_file(top).rfind(top + ":1:10: extends: " + (folder / "gone.yaml").string(), 0) == 0);
     write(top, "extends: [base.yaml]\nsource: a\n");
-    CHECK(error_of(top).rfind(top + ":1:10: extends: found a list of 1, expected a path", 0) == 0);
+    CHECK(error_of_file(top).rfind(top + ":1:10: extends: found a list of 1, expected a path", 0) == 0);
     write(base, "- a\n");
     write(top, "extends: base.yaml\n");
-    CHECK(error_of(top).rfind(top + ":1:10: extends: ", 0) == 0);
+    CHECK(error_of_file(top).rfind(top + ":1:10: extends: ", 0) == 0);
 }
 
 TEST_CASE("a config that extends itself, directly or not, is refused with the way") {
     const TemporaryFolder folder;
     write(folder / "a.yaml", "extends: b.yaml\n");
     write(folder / "b.yaml", "# b\nextends: sub/../a.yaml\n");
-    CHECK(error_of(folder / "a.yaml") == (folder / "b.yaml").string() +
-                                             ":2:10: extends: a config cannot extend itself: a.yaml -> "
-                                             "b.yaml -> a.yaml");
+    CHECK(error_of_file(folder / "a.yaml") == (folder / "b.yaml").string() +
+                                                  ":2:10: extends: a config cannot extend itself: a.yaml -> "
+                                                  "b.yaml -> a.yaml");
     write(folder / "self.yaml", "extends: self.yaml\n");
-    CHECK(error_of(folder / "self.yaml").find("self.yaml -> self.yaml") != std::string::npos);
+    CHECK(error_of_file(folder / "self.yaml").find("self.yaml -> self.yaml") != std::string::npos);
 }
 
 TEST_CASE("aliases, which merging would change in all their places, are refused beside extends") {
@@ -110,13 +111,15 @@ TEST_CASE("aliases, which merging would change in all their places, are refused 
     write(folder / "base.yaml", "target: {shape: star, triangles: 500}\nrows: [{label: x}]\n");
     const std::string aliases = "source: &s {shape: star, arms: 6}\ntarget: *s\n";
     write(folder / "top.yaml", "extends: base.yaml\n" + aliases);
-    CHECK(error_of(folder / "top.yaml").rfind((folder / "top.yaml").string() + ":3:9: an alias", 0) == 0);
+    CHECK(error_of_file(folder / "top.yaml").rfind((folder / "top.yaml").string() + ":3:9: an alias", 0) ==
+          0);
     CHECK(parse_config(aliases + "rows: [{label: x}]\n", "a.yaml").target.star.arms == 6);
     // The config that is extended may hold them.
     write(folder / "base.yaml", aliases + "rows: [{label: x}]\n");
     write(folder / "top.yaml", "extends: base.yaml\ntarget: {shape: ellipsoid}\nsource: {arms: 7}\n");
-    CHECK(error_of(folder / "top.yaml").rfind((folder / "base.yaml").string() + ":1:26: target.arms", 0) ==
-          0);
+    CHECK(
+        error_of_file(folder / "top.yaml").rfind((folder / "base.yaml").string() + ":1:26: target.arms", 0) ==
+        0);
     write(folder / "top.yaml", "extends: base.yaml\nsource: {arms: 7}\n");
     const FigureConfig config = load_config(folder / "top.yaml");
     CHECK(config.source.star.arms == 7);
