@@ -1,5 +1,6 @@
 #include "render/light/rectangle_light.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -23,6 +24,20 @@ double cosine_integral(const std::array<Vec3d, 5>& corners, std::size_t count, c
         if (sine > 0.0) sum += angle_of(sine, a.dot(b)) * axis.dot(normal) / sine;
     }
     return 0.5 * sum;
+}
+
+// The same for the whole rectangle, its four edges at once.
+double cosine_integral(const std::array<Vec3d, 4>& corners, const Vec3d& normal) {
+    using Array = Eigen::Array4d;
+    const Array ax(corners[0].x(), corners[1].x(), corners[2].x(), corners[3].x()),
+        ay(corners[0].y(), corners[1].y(), corners[2].y(), corners[3].y()),
+        az(corners[0].z(), corners[1].z(), corners[2].z(), corners[3].z());
+    const Array bx(ax[1], ax[2], ax[3], ax[0]), by(ay[1], ay[2], ay[3], ay[0]),
+        bz(az[1], az[2], az[3], az[0]);
+    const Array x = ay * bz - az * by, y = az * bx - ax * bz, z = ax * by - ay * bx;
+    const Array sine = (x * x + y * y + z * z).sqrt(), cosine = ax * bx + ay * by + az * bz;
+    const Array along = x * normal.x() + y * normal.y() + z * normal.z();
+    return 0.5 * (sine > 0.0).select(angle_of(sine, cosine) * along / sine, 0.0).sum();
 }
 
 // The part of the polygon above the plane through the origin with the given normal [Sutherland74].
@@ -59,8 +74,11 @@ Color irradiance(const RectangleLight& light, const Vec3& point, const Vec3& nor
     if (!(center.dot(cross(u, v)) < 0.0)) return Color::Zero();
     // Clockwise seen from the lit side, so that the integral is positive where the normal faces the light.
     const std::array<Vec3d, 4> corners{center - u - v, center - u + v, center + u + v, center + u - v};
-    std::array<Vec3d, 5> clipped;
     const Vec3d n = normal.cast<double>();
+    if (std::all_of(corners.begin(), corners.end(),
+                    [&](const Vec3d& corner) { return corner.dot(n) >= 0.0; }))
+        return light.radiance * static_cast<float>(cosine_integral(corners, n));
+    std::array<Vec3d, 5> clipped;
     const std::size_t count = clip(corners, n, clipped);
     return light.radiance * static_cast<float>(cosine_integral(clipped, count, n));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cmath>
 
 namespace automorph::render {
@@ -8,20 +9,28 @@ inline constexpr double kRadians = 3.14159265358979324 / 180.0;  ///< in a degre
 
 /// The angle in [0, pi] whose sine and cosine are in the ratio `sine` : `cosine`, for sine >= 0; zero for 0,
 /// 0. Relative error below 1e-9. Only operations that round alike on all machines are used, which std::atan2
-/// is not one of: the C library has a variant for each kind of processor.
-inline double angle_of(double sine, double cosine) {
-    const double length = std::sqrt(sine * sine + cosine * cosine);
-    if (!(length > 0.0)) return 0.0;
+/// is not one of: the C library has a variant for each kind of processor. Coefficientwise.
+template <int Size>
+Eigen::Array<double, Size, 1> angle_of(const Eigen::Array<double, Size, 1>& sine,
+                                       const Eigen::Array<double, Size, 1>& cosine) {
+    using Array = Eigen::Array<double, Size, 1>;
+    const Array length = (sine * sine + cosine * cosine).sqrt();
     // Tangent of half the acute angle, then of an eighth: at most tan(pi / 16), where the series is short.
-    const bool blunt = cosine < 0.0;
-    double t = sine / (length + (blunt ? -cosine : cosine));
-    for (int i = 0; i < 2; ++i) t = t / (1.0 + std::sqrt(1.0 + t * t));
-    const double s = t * t;
-    const double series =
-        1.0 + s * (-1.0 / 3 + s * (1.0 / 5 + s * (-1.0 / 7 + s * (1.0 / 9 + s * (-1.0 / 11 + s / 13)))));
-    const double sharp = 8.0 * t * series;
+    Array t = sine / (length + cosine.abs());
+    for (int i = 0; i < 2; ++i) t = t / (1.0 + (1.0 + t * t).sqrt());
+    const Array s = t * t;
+    const Array series =
+        1.0 +
+        s * (-1.0 / 3 + s * (1.0 / 5 + s * (-1.0 / 7 + s * (1.0 / 9 + s * (-1.0 / 11 + s * (1.0 / 13))))));
+    const Array sharp = 8.0 * t * series;
     constexpr double kHalfTurn = 3.14159265358979324;
-    return blunt ? kHalfTurn - sharp : sharp;
+    return (length > 0.0).select((cosine < 0.0).select(kHalfTurn - sharp, sharp), 0.0);
+}
+
+/// The same of one angle.
+inline double angle_of(double sine, double cosine) {
+    using One = Eigen::Array<double, 1, 1>;
+    return angle_of<1>(One(sine), One(cosine)).value();
 }
 
 struct SineCosine {
