@@ -36,7 +36,7 @@ constexpr double kMediumRatio = 1.3, kFineRatio = 1.5;
 
 // Sizes of shapes of which one lacks a part, or that noise has swollen, mislead: sizes up to kSizeSteps steps
 // off are tried, first coarsely, then finely, and taken where the shapes then are the same.
-constexpr int kSizeSteps = 8;
+constexpr int kSizeSteps = 8, kNearSizeSteps = 3;
 constexpr double kCoarseSize = 1.04, kFineSize = 1.01;
 constexpr int kSizePoints = 320, kSizeIterations = 8;
 constexpr double kSameShape = 0.02;   // of the target's radius: samples of one surface are nearer than this
@@ -49,6 +49,7 @@ constexpr double kPresent = 0.75;  // share of the source's points that go on
 constexpr int kPresentRounds = 4;
 
 constexpr double kConfidentRatio = 1.2;
+constexpr double kRival = 2.0;  // times the best distance: no pose beyond it makes the best one doubtful
 // Open meshes may face either way in their file; that both agree is the better guess among near equals.
 constexpr double kReversedHandicap = 1.1;
 
@@ -138,24 +139,46 @@ SizedCandidate refined_at(double scale, const RigidMotion& start, SurfaceSample 
     return refined;
 }
 
-// The best of sizes step^k around the one given, each with its own motion.
+// The best of sizes step^k around the one given, each with its own motion. The sizes nearest are tried first,
+// and more on a side while that side's last is the best so far.
 SizedCandidate best_size(const SizedCandidate& from, double step, const SurfaceSample& source,
                          const SurfaceSample& target, bool certain) {
     std::vector<SizedCandidate> tries(2 * kSizeSteps + 1);
-    tbb::parallel_for(std::size_t{0}, tries.size(), [&](std::size_t k) {
-        const double scale = from.scale * std::pow(step, static_cast<double>(k) - kSizeSteps);
-        tries[k] = refined_at(scale, from.pose.motion, source, target, kSizePoints, kSizeIterations, certain);
-    });
-    return *std::min_element(tries.begin(), tries.end(),
+    const auto try_sizes = [&](int first, int end) {
+        tbb::parallel_for(first, end, [&](int k) {
+            const double scale = from.scale * std::pow(step, static_cast<double>(k - kSizeSteps));
+            tries[static_cast<std::size_t>(k)] =
+                refined_at(scale, from.pose.motion, source, target, kSizePoints, kSizeIterations, certain);
+        });
+    };
+    int first = kSizeSteps - kNearSizeSteps, end = kSizeSteps + kNearSizeSteps + 1;
+    try_sizes(first, end);
+    while (true) {
+        const auto best =
+            std::min_element(tries.begin() + first, tries.begin() + end,
                              [](const auto& a, const auto& b) { return a.pose.distance < b.pose.distance; });
+        const int at = static_cast<int>(best - tries.begin());
+        if (at == first && first > 0) {
+            const int farther = std::max(0, first - kNearSizeSteps);
+            try_sizes(farther, first);
+            first = farther;
+        } else if (at + 1 == end && end <= 2 * kSizeSteps) {
+            const int farther = std::min(2 * kSizeSteps + 1, end + kNearSizeSteps);
+            try_sizes(end, farther);
+            end = farther;
+        } else {
+            return *best;
+        }
+    }
 }
 
 // The solution with the size of the source set right, if that makes both agree clearly better.
+// @param good_enough  a solution that is worse than this at the coarse sizes is not looked into any more
 Solution resized(Solution solution, const SurfaceSample& source, const SurfaceSample& target, int points,
-                 int max_iterations, bool certain) {
+                 int max_iterations, bool certain, double good_enough) {
     SizedCandidate best{1.0, {solution.em.motion, solution.residual}};
     best = best_size(best, kCoarseSize, source, target, certain);
-    if (best.pose.distance > kHopeless * kAgree) return solution;
+    if (best.pose.distance > good_enough) return solution;
     best = best_size(best, kFineSize, source, target, certain);
     best = refined_at(best.scale, best.pose.motion, source, target, points, max_iterations, certain);
     if (best.pose.distance >
@@ -172,7 +195,7 @@ Solution resized(Solution solution, const SurfaceSample& source, const SurfaceSa
 // agree.
 Solution refine_finally(const Scene& scene, const std::vector<Candidate>& candidates,
                         const std::vector<Candidate>& others, int max_iterations,
-                        const std::function<Solution(const Solution&)>& resize) {
+                        const std::function<Solution(const Solution&, double)>& resize) {
     std::vector<Solution> solutions(candidates.size());
     tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
         solutions[i].em = scene.refine(candidates[i].motion, max_iterations);
@@ -182,7 +205,7 @@ Solution refine_finally(const Scene& scene, const std::vector<Candidate>& candid
                                    [](const Solution& s) { return s.residual < kSameShape; });
     if (!agree) {
         tbb::parallel_for(std::size_t{0}, solutions.size(),
-                          [&](std::size_t i) { solutions[i] = resize(solutions[i]); });
+                          [&](std::size_t i) { solutions[i] = resize(solutions[i], kHopeless * kAgree); });
     }
     std::vector<Candidate> refined;
     for (const Solution& solution : solutions) refined.push_back({solution.em.motion, solution.residual});
@@ -199,7 +222,9 @@ Solution refine_finally(const Scene& scene, const std::vector<Candidate>& candid
     Solution second;
     second.em.motion = other->motion;
     second.residual = scene.distance(other->motion);
-    solution.runner_up = agree ? second.residual : resize(second).residual;
+    // One that is far behind at the coarse sizes does not catch up at the fine ones.
+    const double rival = std::min(kHopeless * kAgree, kRival * solution.residual);
+    solution.runner_up = agree ? second.residual : resize(second, rival).residual;
     return solution;
 }
 
@@ -238,8 +263,9 @@ Solution search(const Mesh& source, const SurfaceSize& source_size, const Mesh& 
     }
     const Scene fine_scene(a, b, fine_points, certain);
     return refine_finally(fine_scene, finalists, others, options.max_iterations,
-                          [&](const Solution& solution) {
-                              return resized(solution, a, b, fine_points, options.max_iterations, certain);
+                          [&](const Solution& solution, double good_enough) {
+                              return resized(solution, a, b, fine_points, options.max_iterations, certain,
+                                             good_enough);
                           });
 }
 
