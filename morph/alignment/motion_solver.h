@@ -33,10 +33,14 @@ public:
     int iterations() const { return iterations_; }
 
 private:
+    using Rows4 = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;  // the last column is padding
+
     void factorise(const Pulls& pulls, double omega);
+    void precondition(const Points& r, Points& z);  // z = (omega S + diag)^-1 r
 
     Eigen::SparseMatrix<double> prior_;
     Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> preconditioner_;
+    Rows4 permuted_;
     double factorised_omega_ = 0.0;
     int factorisations_ = 0, iterations_ = 0;
 };

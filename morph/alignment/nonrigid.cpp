@@ -1,7 +1,10 @@
 #include "morph/alignment/nonrigid.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "morph/alignment/border_pull.h"
 #include "morph/alignment/coarse.h"
@@ -99,58 +102,97 @@ bool lies_on(const Mesh& source, const Mesh& target) {
     return true;
 }
 
-/// The alignment in units of the target's diagonal, whatever the sizes of the meshes.
-NonRigidAlignment fitted(Mesh from, const std::vector<std::vector<int>>& source_loops, const Mesh& to,
-                         const std::vector<std::vector<int>>& target_loops, const NonRigidOptions& options) {
-    const bool part = !source_loops.empty() && target_loops.empty();
-    const SoftMatching matching(oriented_points(to), part ? Coverage::Part : Coverage::Whole);
-    const auto match = [&](const AlignmentLevel& level) {
-        const double normal = options.normals ? level.normal : kNoNormals;
-        SoftMatches matches = matching.match(oriented_points(from), {level.position, normal});
-        if (!options.directional_trust) {
-            for (Eigen::Index i = 0; i < matches.weight.size(); ++i)
-                matches.trust[static_cast<std::size_t>(i)] = matches.weight[i] * Eigen::Matrix3d::Identity();
-        }
-        return matches;
-    };
-
-    for (int round = 0; round < options.similarity_rounds; ++round) {
-        Points moved = similar(from.V, match(options.levels.front()));
-        const double step = (moved - from.V).rowwise().norm().mean();
-        from.V = std::move(moved);
-        if (step < kStill) break;
-    }
-
-    const Points x0 = from.V;
-    const MotionPrior prior = motion_prior(from, source_loops);
-    MotionSolver solver(options.membrane * prior.membrane + options.bending * prior.bending +
-                        options.border_bending * prior.border);
-    const BorderPulls borders(x0, source_loops, to.V, target_loops, options);
-
-    NonRigidAlignment result;
-    for (const AlignmentLevel& level : options.levels) {
-        for (int round = 0; round < (options.rounds > 0 ? options.rounds : level.rounds); ++round) {
-            SoftMatches matches = match(level);
-            const Points reference = x0 + options.plastic * (from.V - x0);
-            result.distance = std::sqrt(
-                ((matches.centre - from.V).rowwise().squaredNorm().array() * matches.weight.array()).sum() /
-                matches.weight.sum());
-            Pulls pulls{matches.centre - reference, std::move(matches.trust)};
-            borders.add(from.V, reference, pulls);
-            from.V = reference + solver.solve(pulls, options.stiffness * level.stiffness, from.V - reference);
-        }
-    }
-    result.x = std::move(from.V);
-    result.factorisations = solver.factorisations();
-    result.iterations = solver.iterations();
-    return result;
-}
-
 /// The mesh itself, or thinned out if it has many more vertices than are wanted.
 CoarseMesh bounded(const Mesh& mesh, const std::vector<std::vector<int>>& loops, int vertices) {
     if (mesh.vertex_count() >= kManyMore * vertices) return coarse_mesh(mesh, loops, vertices);
     return {mesh, {}, loops};
 }
+
+/// The alignment at one resolution, in units of the target's diagonal, whatever the sizes of the meshes.
+class Fit {
+public:
+    /// @param vertices  a mesh with many more is thinned out to about so many
+    Fit(const Mesh& source, const std::vector<std::vector<int>>& source_loops, const Mesh& target,
+        const std::vector<std::vector<int>>& target_loops, int vertices, const NonRigidOptions& options)
+        : options_(options),
+          source_(bounded(source, source_loops, vertices)),
+          target_(bounded(target, target_loops, vertices)),
+          matching_(oriented_points(target_.mesh),
+                    !source_loops.empty() && target_loops.empty() ? Coverage::Part : Coverage::Whole),
+          x0_(source_.mesh.V),
+          x_(x0_) {}
+
+    bool is_thinned_out() const { return !source_.vertex.empty() || !target_.vertex.empty(); }
+
+    /// Turns, shifts and scales the source as its matches say, until it stands still.
+    void settle() {
+        for (int round = 0; round < options_.similarity_rounds; ++round) {
+            Points moved = similar(x_, match(options_.levels.front()));
+            const double step = (moved - x_).rowwise().norm().mean();
+            x_ = std::move(moved);
+            if (step < kStill) break;
+        }
+        x0_ = x_;
+    }
+
+    /// Goes on from where a coarser fit has come.
+    void continue_from(const Fit& coarser) {
+        x0_ = coarser.carried_to(source_.mesh, coarser.x0_);
+        x_ = coarser.carried_to(source_.mesh, coarser.x_);
+        result_ = coarser.result_;
+    }
+
+    void bend(std::span<const AlignmentLevel> levels) {
+        if (levels.empty()) return;
+        const MotionPrior prior = motion_prior({x0_, source_.mesh.F}, source_.loops);
+        MotionSolver solver(options_.membrane * prior.membrane + options_.bending * prior.bending +
+                            options_.border_bending * prior.border);
+        const BorderPulls borders(x0_, source_.loops, target_.mesh.V, target_.loops, options_);
+        for (const AlignmentLevel& level : levels) {
+            for (int round = 0; round < (options_.rounds > 0 ? options_.rounds : level.rounds); ++round) {
+                SoftMatches matches = match(level);
+                const Points reference = x0_ + options_.plastic * (x_ - x0_);
+                result_.distance = std::sqrt(
+                    ((matches.centre - x_).rowwise().squaredNorm().array() * matches.weight.array()).sum() /
+                    matches.weight.sum());
+                Pulls pulls{matches.centre - reference, std::move(matches.trust)};
+                borders.add(x_, reference, pulls);
+                x_ = reference + solver.solve(pulls, options_.stiffness * level.stiffness, x_ - reference);
+            }
+        }
+        result_.factorisations += solver.factorisations();
+        result_.iterations += solver.iterations();
+    }
+
+    /// The motion so far, of the vertices of the whole source.
+    NonRigidAlignment result_on(const Mesh& source) const {
+        NonRigidAlignment result = result_;
+        result.x = source_.vertex.empty() ? x_ : carried_to(source, x_);
+        return result;
+    }
+
+private:
+    SoftMatches match(const AlignmentLevel& level) const {
+        const double normal = options_.normals ? level.normal : kNoNormals;
+        SoftMatches matches =
+            matching_.match(oriented_points({x_, source_.mesh.F}), {level.position, normal});
+        if (!options_.directional_trust) {
+            for (Eigen::Index i = 0; i < matches.weight.size(); ++i)
+                matches.trust[static_cast<std::size_t>(i)] = matches.weight[i] * Eigen::Matrix3d::Identity();
+        }
+        return matches;
+    }
+
+    Points carried_to(const Mesh& mesh, const Points& moved) const {
+        return carried(source_.mesh, moved, mesh.V, vertex_normals(mesh));
+    }
+
+    const NonRigidOptions& options_;
+    CoarseMesh source_, target_;
+    SoftMatching matching_;
+    Points x0_, x_;
+    NonRigidAlignment result_;  // but for x
+};
 
 }  // namespace
 
@@ -161,12 +203,22 @@ NonRigidAlignment align_nonrigid(const Mesh& source, const std::vector<std::vect
     const double unit = bounding_box_diagonal(target.V);
     const Mesh to{target.V / unit, target.F}, from{start / unit, source.F};
     if (lies_on(from, to)) return {start, 0.0, 0, 0};
-    const CoarseMesh coarse_to = bounded(to, target_loops, options.vertices),
-                     coarse_from = bounded(from, source_loops, options.vertices);
-    NonRigidAlignment result =
-        fitted(coarse_from.mesh, coarse_from.loops, coarse_to.mesh, coarse_to.loops, options);
-    if (!coarse_from.vertex.empty())
-        result.x = carried(coarse_from.mesh, result.x, from.V, vertex_normals(from));
+
+    const std::span<const AlignmentLevel> levels = options.levels;
+    const std::size_t first = std::min(levels.size(), static_cast<std::size_t>(options.coarse_levels));
+    Fit fine(from, source_loops, to, target_loops, options.vertices, options);
+    std::optional<Fit> coarse;
+    if (first > 0) coarse.emplace(from, source_loops, to, target_loops, options.coarse_vertices, options);
+    if (coarse && coarse->is_thinned_out()) {
+        coarse->settle();
+        coarse->bend(levels.first(first));
+        fine.continue_from(*coarse);
+        fine.bend(levels.subspan(first));
+    } else {
+        fine.settle();
+        fine.bend(levels);
+    }
+    NonRigidAlignment result = fine.result_on(from);
     result.x *= unit;
     return result;
 }

@@ -29,6 +29,8 @@ struct NonRigidOptions {
     double plastic = 0.7;           ///< how much of the motion so far becomes the shape at rest
     int similarity_rounds = 8;      ///< of turning, shifting and scaling before anything bends
     int vertices = 5000;            ///< a mesh of half as many again or more is thinned out to so many
+    int coarse_levels = 3;          ///< so many levels see no more than still thinner meshes show,
+    int coarse_vertices = 2500;     ///< of so many vertices
     bool normals = true;            ///< matches heed normals
     bool directional_trust = true;  ///< matches pull weakly along surfaces that look alike along them
 

@@ -131,6 +131,9 @@ Section<NonRigidOptions> nonrigid_section() {
         value("plastic", &N::plastic, kShare, "how much of the motion so far becomes the shape at rest"),
         value("similarity_rounds", &N::similarity_rounds, {0, 1000},
               "of turning, shifting and scaling before anything bends"),
+        value("coarse_levels", &N::coarse_levels, {0, 6},
+              "so many of the levels, from the first, are fitted on meshes of 1500 vertices, the others on "
+              "5000"),
         flag("normals", &N::normals, "matches heed normals"),
         flag("directional_trust", &N::directional_trust,
              "matches pull weakly along surfaces that look alike along them"),

@@ -44,3 +44,18 @@ TEST_CASE("the solution is that of the dense system") {
     }
     CHECK(solver.factorisations() >= 2);
 }
+
+TEST_CASE("where all trust is isotropic the factorised system is the whole one") {
+    const Mesh mesh = disks::dome(6, 0.4);
+    const int n = mesh.vertex_count();
+    const MotionPrior prior = motion_prior(mesh, boundary_loops(mesh, connectivity(mesh.F, n)));
+    Random random(5);
+    Pulls pulls{Points(n, 3), {}};
+    for (int i = 0; i < n; ++i) {
+        pulls.pull.row(i) = random.in_ball<3>();
+        pulls.trust.push_back((1.0 + 0.1 * (i % 7)) * Eigen::Matrix3d::Identity());
+    }
+    MotionSolver solver(prior.membrane + prior.bending);
+    solver.solve(pulls, 0.3, Points::Zero(n, 3));
+    CHECK(solver.iterations() == 1);
+}
