@@ -79,7 +79,7 @@ TEST_CASE("the background of a figure is even and meets the white paper of the s
     }
 }
 
-TEST_CASE("a figure has the same bits for any number of threads") {
+TEST_CASE("a figure has the same bits for any number of threads", "[sweep]") {
     const FigureConfig config = parse_config(kTiny, "tiny.yaml");
     FigureOptions one, three;
     one.threads = 1;
@@ -188,7 +188,7 @@ TEST_CASE("metrics tell distortion, and area and volume along the morph of each 
     CHECK(render_figure(config, unchecked).rows[0].frames.empty());
 }
 
-TEST_CASE("selected rows and cells are pictured as in the whole figure") {
+TEST_CASE("selected rows and cells are pictured as in the whole figure", "[sweep]") {
     const FigureConfig config = parse_config(kTiny, "tiny.yaml");
     FigureOptions options;
     options.rows = Selection("1,3");

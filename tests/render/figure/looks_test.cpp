@@ -166,7 +166,7 @@ picture: {width: 40, height: 40, spp: 8, ground: none, color: displacement, mark
     CHECK(sheet.height > figure_sheet(plain, render_figure(plain)).height + 10);
 }
 
-TEST_CASE("denoising is asked for by config or option, and brings a preview nearer to the truth") {
+TEST_CASE("denoising is asked for by config or option, and brings a preview nearer to the truth", "[sweep]") {
     const std::string text = kSphere + "looks: [{label: x}]\npicture: {width: 64, height: 64, spp: 8}\n";
     const FigureConfig config = parse_config(text, "x.yaml");
     FigureConfig asked = config;

@@ -127,7 +127,7 @@ TEST_CASE("help tells of topics and commands, and of nothing else") {
     CHECK(lines_in(unknown.err) == 1);
 }
 
-TEST_CASE("results do not depend on the number of threads, and --quiet prints nothing") {
+TEST_CASE("results do not depend on the number of threads, and --quiet prints nothing", "[sweep]") {
     const TemporaryFolder folder;
     make_shapes(folder);
     const Run one = run_program(
