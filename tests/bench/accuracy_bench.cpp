@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -82,6 +83,7 @@ const std::vector<Variant> kAblations = {
     {"borders do not slide", [](MorphOptions& o) { o.nonrigid.slide = 0; }},
     {"elastic, not plastic", [](MorphOptions& o) { o.nonrigid.plastic = 0; }},
     {"without the similarity", [](MorphOptions& o) { o.nonrigid.similarity_rounds = 0; }},
+    {"all levels at full resolution", [](MorphOptions& o) { o.nonrigid.coarse_levels = 0; }},
     {"2 rounds a level", [](MorphOptions& o) { o.nonrigid.rounds = 2; }},
 };
 
@@ -125,9 +127,12 @@ void print_table(const std::vector<Variant>& variants, const std::vector<Accurac
 int accuracy_bench(const std::vector<std::string>& arguments) {
     std::string folder = "../shared/meshes";
     bool ablation = false;
+    std::vector<std::string> named;  // variants; none: all
     for (const std::string& argument : arguments) {
         if (argument == "--ablation") {
             ablation = true;
+        } else if (argument.starts_with("--only=")) {
+            named.push_back(argument.substr(std::strlen("--only=")));
         } else {
             folder = argument;
         }
@@ -151,10 +156,18 @@ int accuracy_bench(const std::vector<std::string>& arguments) {
     for (std::vector<AccuracyPair> more :
          {reversed_pairs(pairs), synthetic_pairs(folder), noisy_pairs(folder)})
         pairs.insert(pairs.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-    print_table(kMethods, pairs);
-    if (ablation) {
+    std::vector<Variant> methods = kMethods, ablations = kAblations;
+    if (!named.empty()) {
+        const auto unnamed = [&](const Variant& variant) {
+            return std::find(named.begin(), named.end(), variant.name) == named.end();
+        };
+        std::erase_if(methods, unnamed);
+        std::erase_if(ablations, unnamed);
+    }
+    print_table(methods, pairs);
+    if (ablation || !named.empty()) {
         fmt::print("\n");
-        print_table(kAblations, pairs);
+        print_table(ablations, pairs);
     }
     return 0;
 }

@@ -220,7 +220,7 @@ TEST_CASE("a rerun makes nothing anew but what changed") {
     CHECK(made_by(command + " --fov 30 --redo") == 12);
 }
 
-TEST_CASE("parts of a sequence are those of the whole, and threads do not matter") {
+TEST_CASE("parts of a sequence are those of the whole, and threads do not matter", "[sweep]") {
     const TemporaryFolder folder;
     make_shapes(folder);
     const std::string command = kMorph;
