@@ -96,10 +96,8 @@ private:
         registration_ = register_rigid(source_.mesh, target_.mesh, {.seed = options_.seed});
         report_.registration = report_of(registration_, true);
         if (!registration_.confident) {
-            report_.notes.push_back(
-                fmt::format("the registration is unsure: another pose fits nearly as well (residual {:.4f} "
-                            "against {:.4f}); check the first picture",
-                            registration_.residual, registration_.runner_up));
+            report_.notes.push_back(fmt::format("the registration is unsure: {}; check the first picture",
+                                                doubt_about(report_.registration)));
         }
     }
 

@@ -1,5 +1,7 @@
 #include "morph/report.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 namespace automorph {
@@ -114,6 +116,19 @@ Json json(const std::vector<T>& list) {
 }
 
 }  // namespace
+
+std::string doubt_about(const RegistrationReport& registration) {
+    if (registration.confident) return "";
+    if (registration.runner_up < registration.residual) {
+        return fmt::format(
+            "another pose fits a little better (residual {:.4f} against {:.4f}), but among poses that close "
+            "the "
+            "one that turns the source least is taken",
+            registration.runner_up, registration.residual);
+    }
+    return fmt::format("another pose fits nearly as well (residual {:.4f} against {:.4f} of the one taken)",
+                       registration.runner_up, registration.residual);
+}
 
 std::string report_json(const Report& report) {
     const Json root = {{"source", json(report.source)},

@@ -25,6 +25,11 @@ struct RegistrationReport {
     bool converged = false, confident = false;
 };
 
+/// Why the pose may be the wrong one: "another pose fits ...", with the residuals of both. Empty if
+/// confident. Of poses that nearly tie the one that turns the source least is taken, so that the other's
+/// residual may be the smaller one.
+std::string doubt_about(const RegistrationReport& registration);
+
 /// What the dense alignment did. Of an open and a closed shape it moves the open one, else the source.
 struct AlignmentReport {
     bool used = false;

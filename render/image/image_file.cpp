@@ -31,8 +31,9 @@ OIIO::ImageSpec make_spec(const fs::path& file, const Image& image, OIIO::TypeDe
     return spec;
 }
 
-// Encodes in memory first: OpenImageIO does not notice every failure of a disk.
-void write(const fs::path& file, OIIO::ImageSpec spec, OIIO::TypeDesc type, const void* pixels) {
+/// The bytes of a picture file. @param file  tells the format; nothing is written there
+std::vector<unsigned char> encoded(const fs::path& file, OIIO::ImageSpec spec, OIIO::TypeDesc type,
+                                   const void* pixels) {
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
     void* proxy = &memory;
@@ -44,7 +45,16 @@ void write(const fs::path& file, OIIO::ImageSpec spec, OIIO::TypeDesc type, cons
     if (!out) fail(OIIO::geterror());
     if (!out->open(file.string(), spec) || !out->write_image(type, pixels) || !out->close())
         fail(out->geterror());
-    write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    return bytes;
+}
+
+std::string_view as_text(const std::vector<unsigned char>& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+// Encodes in memory first: OpenImageIO does not notice every failure of a disk.
+void write(const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
+    write_file(file, as_text(encoded(file, spec, type, pixels)));
 }
 
 // Which channels of the file are the picture's: R, G, B by name, else the first one or three.
@@ -70,6 +80,12 @@ Image read_pixels(OIIO::ImageInput& in, const std::vector<int>& channels, OIIO::
         for (int c : channels) image.pixels[next++] = convert(raw[pixel + static_cast<std::size_t>(c)]);
     }
     return image;
+}
+
+std::unique_ptr<OIIO::ImageInput> opened(const fs::path& file, const OIIO::ImageSpec* hints = nullptr) {
+    std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(file.string(), hints);
+    if (!in) throw IoError(fmt::format("{}: cannot read the picture: {}", file.string(), OIIO::geterror()));
+    return in;
 }
 
 float as_stored(float value) {
@@ -151,29 +167,20 @@ void write_png(const fs::path& file, const Image& image, const Metadata& metadat
 }
 
 std::string jpeg_data_uri(const Image& image, int quality) {
-    const std::string name = "picture.jpg";  // tells the format; nothing is written there
+    const fs::path name = "picture.jpg";
     OIIO::ImageSpec spec = make_spec(name, image, OIIO::TypeDesc::UINT8, {});
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput sink(bytes);
-    void* door = &sink;
-    spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &door);
     spec.attribute("Compression", fmt::format("jpeg:{}", quality));
     spec.attribute("jpeg:subsampling", "4:4:4");
     std::vector<std::uint8_t> codes(image.pixels.size());
     std::transform(image.pixels.begin(), image.pixels.end(), codes.begin(), to_srgb8);
-    const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(name);
-    if (!out) throw IoError("a JPEG cannot be made: " + OIIO::geterror());
-    if (!out->open(name, spec) || !out->write_image(OIIO::TypeDesc::UINT8, codes.data()) || !out->close())
-        throw IoError("a JPEG cannot be made: " + out->geterror());
-    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    return "data:image/jpeg;base64," + OIIO::Strutil::base64_encode(text);
+    const std::vector<unsigned char> bytes = encoded(name, spec, OIIO::TypeDesc::UINT8, codes.data());
+    return "data:image/jpeg;base64," + OIIO::Strutil::base64_encode(as_text(bytes));
 }
 
 ImageFile read_image(const fs::path& file) {
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1);  // colours as stored, alpha is dropped
-    const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(file.string(), &hints);
-    if (!in) throw IoError(fmt::format("{}: cannot read the picture: {}", file.string(), OIIO::geterror()));
+    const std::unique_ptr<OIIO::ImageInput> in = opened(file, &hints);
     const OIIO::ImageSpec spec = in->spec();
     const std::vector<int> channels = picture_channels(spec);
     ImageFile result;
@@ -199,14 +206,11 @@ ImageFile read_image(const fs::path& file) {
 }
 
 std::vector<std::string> channel_names(const fs::path& file) {
-    const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(file.string());
-    if (!in) throw IoError(fmt::format("{}: cannot read the picture: {}", file.string(), OIIO::geterror()));
-    return in->spec().channelnames;
+    return opened(file)->spec().channelnames;
 }
 
 Image read_channels(const fs::path& file, const std::vector<std::string>& names) {
-    const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(file.string());
-    if (!in) throw IoError(fmt::format("{}: cannot read the picture: {}", file.string(), OIIO::geterror()));
+    const std::unique_ptr<OIIO::ImageInput> in = opened(file);
     const OIIO::ImageSpec spec = in->spec();
     std::vector<int> channels;
     for (const std::string& name : names) {
@@ -215,6 +219,28 @@ Image read_channels(const fs::path& file, const std::vector<std::string>& names)
         channels.push_back(channel);
     }
     return read_pixels<float>(*in, channels, OIIO::TypeDesc::FLOAT, file, as_stored);
+}
+
+std::optional<std::vector<Image>> read_layers(const fs::path& file,
+                                              const std::vector<std::vector<std::string>>& layers) {
+    const std::unique_ptr<OIIO::ImageInput> in = opened(file);
+    std::vector<int> channels;
+    for (const std::vector<std::string>& names : layers) {
+        for (const std::string& name : names) channels.push_back(in->spec().channelindex(name));
+    }
+    if (std::any_of(channels.begin(), channels.end(), [](int channel) { return channel < 0; })) return {};
+    const Image all = read_pixels<float>(*in, channels, OIIO::TypeDesc::FLOAT, file, as_stored);
+    std::vector<Image> images;
+    std::size_t first = 0;
+    for (const std::vector<std::string>& names : layers) {
+        Image image(all.width, all.height, static_cast<int>(names.size()));
+        auto place = image.pixels.begin();
+        for (std::size_t pixel = first; pixel < all.pixels.size(); pixel += channels.size())
+            place = std::copy_n(all.pixels.begin() + static_cast<std::ptrdiff_t>(pixel), names.size(), place);
+        images.push_back(std::move(image));
+        first += names.size();
+    }
+    return images;
 }
 
 }  // namespace automorph::render

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,12 @@ std::vector<std::string> channel_names(const std::filesystem::path& file);
 /// Some channels of a picture as they are, by name, e.g. {"variance.R", "variance.G", "variance.B"}.
 /// @throws IoError as above, or if a channel is missing
 Image read_channels(const std::filesystem::path& file, const std::vector<std::string>& names);
+
+/// Several groups of channels, each as a picture, from one reading of the file; empty if one of them is
+/// missing.
+/// @throws IoError if the file is missing or not a picture
+std::optional<std::vector<Image>> read_layers(const std::filesystem::path& file,
+                                              const std::vector<std::vector<std::string>>& layers);
 
 /// A linear value as 8-bit sRGB: clamped to [0, 1], curve of IEC 61966-2-1, rounded to nearest; NaN is 0.
 std::uint8_t to_srgb8(float linear);

@@ -199,6 +199,16 @@ struct TextArguments {
     std::string shell;
 };
 
+using Completion = std::string (*)(const CommandEntry&);
+
+/// Null for a shell that has none.
+Completion completion_of(const std::string& shell) {
+    if (shell == "bash") return bash_completion;
+    if (shell == "fish") return fish_completion;
+    if (shell == "zsh") return zsh_completion;
+    return nullptr;
+}
+
 void add_texts(CLI::App& app, TextArguments& arguments) {
     CLI::App* help =
         app.add_subcommand("help", "Tells more about a topic or a command, and lists the topics");
@@ -211,13 +221,15 @@ void add_texts(CLI::App& app, TextArguments& arguments) {
     CLI::App* completion =
         app.add_subcommand("completion", "Prints a script that completes the command line");
     completion->add_option("SHELL", arguments.shell, "Which shell's")
-        ->type_name("bash|zsh")
+        ->type_name("bash|fish|zsh")
         ->required()
         ->check([](const std::string& shell) {
-            return shell == "bash" || shell == "zsh" ? "" : "found '" + shell + "', allowed are bash|zsh";
+            return completion_of(shell) ? "" : "found '" + shell + "', allowed are bash|fish|zsh";
         });
     completion->footer(
-        "Examples:\n  source <(automorph completion bash)      for this shell; in ~/.bashrc for all");
+        "Examples:\n"
+        "  source <(automorph completion bash)      for this shell; in ~/.bashrc for all; zsh likewise\n"
+        "  automorph completion fish | source       in ~/.config/fish/config.fish for all");
 }
 
 int print_help(const CLI::App& app, const TextArguments& arguments) {
@@ -247,8 +259,7 @@ int print_help(const CLI::App& app, const TextArguments& arguments) {
 }
 
 int print_completion(const CLI::App& app, const TextArguments& arguments) {
-    const CommandEntry tree = command_tree(app);
-    fmt::print("{}", arguments.shell == "zsh" ? zsh_completion(tree) : bash_completion(tree));
+    fmt::print("{}", completion_of(arguments.shell)(command_tree(app)));
     return 0;
 }
 

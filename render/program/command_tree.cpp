@@ -62,6 +62,20 @@ std::string CommandEntry::full_name() const {
     return text;
 }
 
+std::string CommandEntry::key() const {
+    std::string text;
+    for (const std::string& word : path) text += "/" + word;
+    return text;
+}
+
+std::vector<std::string> CommandEntry::flags_with_value() const {
+    std::vector<std::string> result;
+    for (const OptionEntry& option : options) {
+        if (!option.value.empty()) result.insert(result.end(), option.flags.begin(), option.flags.end());
+    }
+    return result;
+}
+
 CommandEntry command_tree(const CLI::App& app) {
     return entry(app, {});
 }

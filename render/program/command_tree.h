@@ -33,6 +33,9 @@ struct CommandEntry {
 
     std::string name() const { return path.empty() ? "automorph" : path.back(); }
     std::string full_name() const;  ///< "automorph shape star"
+    std::string key() const;        ///< "/shape/star"; empty for the program itself
+    /// Flags whose next word is their value.
+    std::vector<std::string> flags_with_value() const;
 };
 
 CommandEntry command_tree(const CLI::App& app);

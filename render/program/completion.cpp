@@ -40,18 +40,12 @@ constexpr const char* kBegin = R"(_automorph() {
     fi
     COMPREPLY=()
     for ((i = 1; i < COMP_CWORD; i++)); do
-        case "$command/${COMP_WORDS[i]}" in
+        # A value of the program's own options may be spelt like a command.
+        case "${COMP_WORDS[i-1]}" in
 )";
 
 std::string joined(const std::vector<std::string>& words, const char* between = " ") {
     return fmt::format("{}", fmt::join(words, between));
-}
-
-/// "/shape/star"; empty for the program itself.
-std::string key(const CommandEntry& command) {
-    std::string text;
-    for (const std::string& word : command.path) text += "/" + word;
-    return text;
 }
 
 /// What completes a value of this kind; empty if nothing does.
@@ -60,14 +54,14 @@ std::string values(const OptionEntry& option) {
     if (!choices.empty()) return fmt::format("_automorph_words '{}'", joined(choices));
     if (option.value == "MESH") return "_automorph_files off OFF obj OBJ ply PLY stl STL";
     if (option.value == "YAML") return "_automorph_files yaml yml";
-    if (option.value == "FILE") return "_automorph_files";
+    if (option.value == "FILE" || option.value == "PATH") return "_automorph_files";
     if (option.value == "DIR") return "_automorph_folders";
     return "";
 }
 
 void add_paths(std::string& text, const CommandEntry& command) {
     for (const CommandEntry& below : command.commands) {
-        text += fmt::format("            {0}) command={0} ;;\n", key(below));
+        text += fmt::format("            {0}) command={0} ;;\n", below.key());
         add_paths(text, below);
     }
 }
@@ -79,7 +73,7 @@ void add_values(std::string& text, const CommandEntry& command) {
         std::vector<std::string> patterns;
         // Those of the program itself may stand behind every command.
         for (const std::string& flag : option.flags) {
-            patterns.push_back(fmt::format("{}\" {}\"", command.path.empty() ? "*" : key(command), flag));
+            patterns.push_back(fmt::format("{}\" {}\"", command.path.empty() ? "*" : command.key(), flag));
         }
         const std::string action = values(option);
         text += fmt::format("        {}) {}return ;;\n", joined(patterns, " | "),
@@ -107,7 +101,7 @@ void add_words(std::string& text, const CommandEntry& command, const std::vector
         "            else\n"
         "                {}\n"
         "            fi ;;\n",
-        key(command), joined(flags), action.empty() ? ":" : action);
+        command.key(), joined(flags), action.empty() ? ":" : action);
     for (const CommandEntry& below : command.commands) add_words(text, below, everywhere);
 }
 
@@ -123,6 +117,9 @@ std::vector<std::string> flags_everywhere(const CommandEntry& program) {
 
 std::string functions(const CommandEntry& program) {
     std::string text = std::string(kHelpers) + kBegin;
+    text += fmt::format(
+        "            {} | =) continue ;;\n        esac\n        case \"$command/${{COMP_WORDS[i]}}\" in\n",
+        joined(program.flags_with_value(), " | "));
     add_paths(text, program);
     text += "        esac\n    done\n    case \"$command $previous\" in\n";
     add_values(text, program);

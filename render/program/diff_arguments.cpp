@@ -1,9 +1,8 @@
 #include "render/program/diff_arguments.h"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <string>
+
+#include "render/program/option_groups.h"
 
 namespace automorph::program {
 namespace {
@@ -26,19 +25,6 @@ Modes:
                and says how small a change it could have seen.
   auto         statistical where both pictures hold these layers, else same-seed; the output says which)";
 
-std::string allowed_modes() {
-    std::string text;
-    for (const Named<DiffMode>& each : kDiffModes) text += (text.empty() ? "" : "|") + std::string(each.name);
-    return text;
-}
-
-DiffMode mode_named(const std::string& text) {
-    for (const Named<DiffMode>& each : kDiffModes) {
-        if (text == each.name) return each.value;
-    }
-    throw CLI::ValidationError("--mode", fmt::format("found '{}', allowed are {}", text, allowed_modes()));
-}
-
 }  // namespace
 
 void add_diff(CLI::App& app, DiffArguments& arguments) {
@@ -47,12 +33,7 @@ void add_diff(CLI::App& app, DiffArguments& arguments) {
         ->type_name("PATH")
         ->required();
     command->add_option("NEW", arguments.found, "Picture or folder as it is")->type_name("PATH")->required();
-    command
-        ->add_option_function<std::string>(
-            "--mode", [&arguments](const std::string& text) { arguments.mode = mode_named(text); },
-            "How they are compared, see below")
-        ->type_name(allowed_modes())
-        ->default_str("auto");
+    add_choice(*command, "--mode", arguments.mode, kDiffModes, "How they are compared, see below");
     command
         ->add_option("--heatmap", arguments.heatmap, "PNG of the differences; a folder of those, for folders")
         ->type_name("FILE");

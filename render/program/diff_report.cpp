@@ -12,13 +12,6 @@ namespace {
 using render::Place;
 using render::TestResult;
 
-const char* mode_name(DiffMode mode) {
-    for (const Named<DiffMode>& each : kDiffModes) {
-        if (each.value == mode) return each.name;
-    }
-    return "";
-}
-
 const char* status_name(DiffStatus status) {
     switch (status) {
         case DiffStatus::Same:
@@ -65,7 +58,7 @@ std::string finding_text(const PictureDiff& diff) {
 }
 
 std::string how_text(const PictureDiff& diff, const DiffArguments& arguments) {
-    if (diff.mode != DiffMode::Statistical) return mode_name(diff.mode);
+    if (diff.mode != DiffMode::Statistical) return name_of(kDiffModes, diff.mode);
     return fmt::format("statistical, false alarms at most {:.3g} %",
                        100.0 * arguments.statistical.false_alarm_rate);
 }
@@ -112,7 +105,7 @@ nlohmann::ordered_json picture_json(const PictureDiff& diff) {
         json["reason"] = diff.reason;
         return json;
     }
-    json["mode"] = mode_name(diff.mode);
+    json["mode"] = name_of(kDiffModes, diff.mode);
     json["tests"] = nlohmann::ordered_json::array();
     for (const TestResult& test : diff.comparison.tests)
         json["tests"].push_back(test_json(test, diff.channels));
@@ -169,8 +162,9 @@ std::string diff_table(const std::vector<PictureDiff>& diffs) {
         fmt::format("\n{:<{}}  {:<14}  {:<11}  {}\n", "picture", width, "verdict", "mode", "worst test");
     for (const PictureDiff& diff : diffs) {
         const bool compared = diff.status != DiffStatus::CannotCompare;
-        text += fmt::format("{:<{}}  {:<14}  {:<11}  {}\n", diff.name, width, status_name(diff.status),
-                            compared ? mode_name(diff.mode) : "-", compared ? finding_text(diff) : "-");
+        text +=
+            fmt::format("{:<{}}  {:<14}  {:<11}  {}\n", diff.name, width, status_name(diff.status),
+                        compared ? name_of(kDiffModes, diff.mode) : "-", compared ? finding_text(diff) : "-");
     }
     return text;
 }

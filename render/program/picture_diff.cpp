@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "morph/mesh/errors.h"
 #include "morph/mesh/write_file.h"
@@ -29,14 +31,15 @@ bool has_noise_layers(const fs::path& file) {
 }
 
 NoisyImage read_noisy(const fs::path& file) {
-    if (!has_noise_layers(file)) {
+    std::optional<std::vector<Image>> layers =
+        render::read_layers(file, {{"R", "G", "B"}, kVariance, kSamples});
+    if (!layers) {
         throw IoError(
             fmt::format("{}: there are no layers 'variance' and 'samples', without which noise cannot be "
                         "told from change; render it with --layers, or take --mode same-seed",
                         file.string()));
     }
-    return {render::read_channels(file, {"R", "G", "B"}), render::read_channels(file, kVariance),
-            render::read_channels(file, kSamples)};
+    return {std::move((*layers)[0]), std::move((*layers)[1]), std::move((*layers)[2])};
 }
 
 std::string joined(const std::vector<std::string>& names) {

@@ -31,7 +31,7 @@ void add_registration(std::string& text, const RegistrationReport& registration)
     text += fmt::format("registration  turned by {:.1f} degrees, scale {:.4g}, residual {:.3g}{}, {}\n",
                         angle_degrees(registration.rotation), registration.scale, registration.residual,
                         registration.converged ? "" : ", not converged",
-                        registration.confident ? "sure" : "UNSURE: another pose fits nearly as well");
+                        registration.confident ? "sure" : "UNSURE, see the note");
 }
 
 void add_maps(std::string& text, const Report& report) {
@@ -86,7 +86,7 @@ std::vector<std::string> doubts(const Report& report) {
     std::vector<std::string> sentences;
     const RegistrationReport& registration = report.registration;
     if (registration.used && !registration.confident)
-        sentences.emplace_back("the registration is unsure: another pose fits nearly as well");
+        sentences.push_back("the registration is unsure: " + doubt_about(registration));
     if (registration.used && !registration.converged)
         sentences.emplace_back("the registration has not converged");
     return sentences;

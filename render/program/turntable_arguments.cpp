@@ -99,9 +99,9 @@ void add_picture(CLI::App& command, TurntableArguments& arguments) {
 void add_turntable(CLI::App& app, TurntableArguments& arguments) {
     CLI::App* command =
         app.add_subcommand("turntable", "Turns a mesh, or a morph of two, and pictures it frame by frame");
-    command->add_option("MESH", arguments.source, "What turns")->type_name("FILE")->required();
+    command->add_option("MESH", arguments.source, "What turns")->type_name("MESH")->required();
     CLI::Option* target =
-        command->add_option("TARGET", arguments.target, "What it becomes meanwhile")->type_name("FILE");
+        command->add_option("TARGET", arguments.target, "What it becomes meanwhile")->type_name("MESH");
     command
         ->add_option("--out", arguments.out,
                      "turn_.png or turn_.exr: numbered frames turn_000.png, ...; turn.mp4 or turn.webm: a "

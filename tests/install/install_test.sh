@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Another project finds, links and runs the installed libraries, and sees nothing of this source tree.
+# The program is installed with what tells of it; another project finds, links and runs the installed libraries, and
+# sees nothing of this source tree.
 #   install_test.sh BUILD CMAKE COMPILER
 set -euo pipefail
 build=$1 cmake=$2 compiler=$3
@@ -7,6 +8,11 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
+"$cmake" --install "$build" --prefix "$work/program" --component program >"$work/log"
+for file in bin/automorph share/man/man1/automorph.1.gz share/bash-completion/completions/automorph \
+    share/fish/vendor_completions.d/automorph.fish; do
+    [[ -s $work/program/$file ]] || { echo "not installed: $file"; exit 1; }
+done
 "$cmake" --install "$build" --prefix "$work/prefix" --component development >"$work/log"
 cp -r "$here" "$work/outside"
 "$cmake" -G Ninja -S "$work/outside" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_CXX_COMPILER="$compiler" \

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The completion of bash completes what a user types; that of zsh is read by zsh, where it is installed.
+# The completions of bash and fish complete what a user types; that of zsh is read by zsh. Those of zsh and fish are
+# tried where these shells are installed.
 #   completion_test.sh AUTOMORPH
 set -euo pipefail
 automorph=$1
@@ -49,7 +50,11 @@ expect 'info --j' --json
 expect 'shape head h.ply --preset car' caricature
 expect 'shape head h.ply --nose-w' --nose-width
 expect 'help trou' troubleshooting
-expect 'completion ' bash zsh
+expect 'completion ' bash fish zsh
+expect '--log-level info mo' morph
+expect '--log-level = info mo' morph
+expect 'turntable a' 'a face.ply'
+expect 'diff n' notes.txt
 expect '--ver' --version
 expect 'morph --ver' ''
 
@@ -59,5 +64,42 @@ if command -v zsh >/dev/null; then
         COMP_WORDS=(automorph morph --alignment "") COMP_CWORD=3; setopt ksharrays shwordsplit
         compgen() { print -l "$2" }; _automorph; print $COMPREPLY[0]' 2>&1) || true
     [[ $found == *_automorph*none* ]] || { echo "zsh: $found"; failures=$((failures + 1)); }
+fi
+
+expect_fish() {  # expect_fish TYPED REPLY...: the replies without their descriptions
+    local typed=$1 found wanted
+    shift
+    found=$(HOME=$work XDG_CONFIG_HOME=$work fish --no-config -c \
+        'source automorph.fish; complete -C $argv[1]' "automorph $typed" 2>&1 | cut -f 1 | sort)
+    wanted=$(printf '%s\n' "$@" | sort)
+    [[ $found == "$wanted" ]] && return
+    printf 'fish: automorph %s: wanted %s, found %s\n' "$typed" "${wanted//$'\n'/ }" "${found//$'\n'/ }"
+    failures=$((failures + 1))
+}
+
+if command -v fish >/dev/null; then
+    "$automorph" completion fish >automorph.fish
+    expect_fish 'mor' morph
+    expect_fish 'shape ' ellipsoid star head
+    expect_fish 'morph ' 'a face.ply' b.OBJ meshes/
+    expect_fish 'morph "a fa' 'a face.ply'
+    expect_fish 'morph "a face.ply" meshes/' meshes/c.stl
+    expect_fish 'morph b.OBJ b.OBJ --ali' --alignment
+    expect_fish 'morph b.OBJ b.OBJ --alignment ' none registration features dense
+    expect_fish 'morph b.OBJ b.OBJ --alignment=de' --alignment=dense
+    expect_fish 'morph b.OBJ b.OBJ --qui' --quiet
+    expect_fish 'morph --out n' notes.txt
+    expect_fish 'morph --frames ' ''
+    expect_fish 'figure ' fig.yaml meshes/
+    expect_fish 'figure --out ' meshes/
+    expect_fish 'info --j' --json
+    expect_fish 'shape head h.ply --preset car' caricature
+    expect_fish 'help trou' troubleshooting
+    expect_fish 'completion ' bash fish zsh
+    expect_fish '--ver' --version
+    expect_fish 'morph --ver' ''
+    expect_fish '--log-level info mor' morph
+else
+    echo "fish is not installed: its completion is not tried"
 fi
 exit $((failures > 0))

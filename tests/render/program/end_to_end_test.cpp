@@ -192,7 +192,7 @@ TEST_CASE("every error is one line on stderr and status 1, and leaves nothing be
     check("morph a.off broken.off --out m_.ply", "broken.off:4: ");
     check("morph a.off b.ply --out m_.jpg", "m_.jpg: a morph is written as .glb");
     check("morph a.off b.ply --out m.glb --seconds 0", "--seconds");
-    check("completion tcsh", "allowed are bash|zsh");
+    check("completion tcsh", "allowed are bash|fish|zsh");
     check("morph a.off b.ply --out a.off/m_.ply", "a.off: cannot be used as output folder");
     check("morph a.off b.ply --correspondence a.off/c.csv", "a.off");
     check("morph a.off b.ply --frames few", "--frames");

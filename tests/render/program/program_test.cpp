@@ -128,8 +128,18 @@ TEST_CASE("the summary tells what was found, and says so when the registration i
     }
     CHECK(sure.find("UNSURE") == std::string::npos);
     CHECK(sure.find("not converged") == std::string::npos);
+    CHECK(doubts(report).empty());
     report.registration.confident = false;
+    report.registration.residual = 0.25;
+    report.registration.runner_up = 0.2625;
     CHECK(morph_summary(report).find("UNSURE") != std::string::npos);
+    REQUIRE(doubts(report).size() == 1);
+    CHECK(doubts(report)[0].find("nearly as well (residual 0.2625 against 0.2500") != std::string::npos);
+    report.registration.runner_up = 0.2375;
+    REQUIRE(doubts(report).size() == 1);
+    CHECK(doubts(report)[0].find("a little better (residual 0.2375 against 0.2500)") != std::string::npos);
+    CHECK(doubts(report)[0].find("turns the source least is taken") != std::string::npos);
+    CHECK(doubts(report)[0].find("nearly as well") == std::string::npos);
     report.registration.converged = false;
     CHECK(morph_summary(report).find("not converged") != std::string::npos);
     report.registration.used = false;
@@ -472,7 +482,7 @@ TEST_CASE("a wrong command line ends with status 1, help and version with 0") {
     CHECK(status_of({"help"}) == 0);
     CHECK(status_of({"help", "--man"}) == 0);
     CHECK(status_of({"help", "knitting"}) == 1);
-    CHECK(status_of({"completion", "fish"}) == 1);
+    CHECK(status_of({"completion", "tcsh"}) == 1);
 }
 
 TEST_CASE("what cannot be written is refused before the work, and nothing is left") {
