@@ -431,8 +431,10 @@ const Report& Morph::report() const {
 
 Morph morph(const InputMesh& source, const InputMesh& target, const MorphOptions& options) {
     Morph result;
+    result.report_.on_stage = options.on_stage;
     Computation computation(source, target, options, result.report_);
     computation.run();
+    result.report_.on_stage = nullptr;
     result.triangles_ = std::move(computation.triangles);
     result.ends_ = std::move(computation.ends);
     result.correspondence_ = std::move(computation.correspondence);

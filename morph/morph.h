@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,6 +51,7 @@ struct MorphOptions {
     NonRigidOptions nonrigid = {};  ///< of Alignment::Dense
     bool lift = true;  ///< curved placement of merged vertices, Eq. (9)-(11); flat facets otherwise
     std::uint64_t seed = 1;
+    std::function<void(const std::string& stage)> on_stage = {};  ///< told of each stage as it begins
     bool keep_maps = false;  ///< fills Morph::maps(); about a third of the memory of the morph itself
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -129,6 +130,7 @@ struct Report {
     int reopened_triangles = 0;      ///< merged triangles removed because they lie in filled openings
     std::vector<std::string> notes;  ///< what the user should know, one sentence each
     std::vector<StageReport> stages;
+    std::function<void(const std::string& stage)> on_stage;  ///< while the morph is computed; empty later
     std::vector<FrameReport> frames;  ///< empty unless they were asked for: report_with_frames()
 };
 

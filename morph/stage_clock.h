@@ -4,15 +4,19 @@
 
 #include <chrono>
 #include <string>
+#include <utility>
 
 #include "morph/report.h"
 
 namespace automorph {
 
-/// Adds a stage's wall time and the process's peak memory to a report when it goes out of scope.
+/// Tells of a stage when it begins, and adds its wall time and the process's peak memory to a report when it
+/// goes out of scope.
 class StageClock {
 public:
-    StageClock(Report& report, std::string name) : report_(report), name_(std::move(name)) {}
+    StageClock(Report& report, std::string name) : report_(report), name_(std::move(name)) {
+        if (report_.on_stage) report_.on_stage(name_);
+    }
     StageClock(const StageClock&) = delete;
     StageClock& operator=(const StageClock&) = delete;
 

@@ -8,11 +8,13 @@
 
 namespace automorph {
 
-/// Called while something takes time: what is being done, the finished fraction in [0, 1] and, where there is
-/// more to tell, a detail such as "frame 3 of 96, 4.1 M rays/s". A task begins with its first call and ends
-/// with the call at 1. Never called from two threads at once. An empty one tells nobody.
+/// Called while something takes time: what is being done, the finished fraction in [0, 1] or kUnknown and,
+/// where there is more to tell, a detail such as "frame 3 of 96, 4.1 M rays/s". A task begins with its first
+/// call and ends with the call at 1. Never called from two threads at once. An empty one tells nobody.
 class Progress {
 public:
+    static constexpr double kUnknown = -1.0;  ///< a fraction that nobody knows
+
     Progress() = default;
 
     /// From whatever takes (task, fraction) or (task, fraction, detail).

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "render/program/completion.h"
 
@@ -6,7 +7,7 @@ namespace automorph::program {
 namespace {
 
 constexpr const char* kFishHelpers = R"(function __automorph_files -d 'Files whose names end so, and folders'
-    complete -C "'' "(commandline -ct) | string match -ri "^(.*/|.*\.($argv[1]))\$"
+    complete -C "'' "(commandline -ct) | string match -ri "^(?:.*/|.*\.(?:$argv[1]))\$"
 end
 function __automorph_at -d 'Is this the command that was typed?'
     test (__automorph_command) = "$argv"
@@ -31,6 +32,8 @@ end
 complete -c automorph -f
 )";
 
+constexpr const char* kAnyFile = " -F";
+
 std::string fish_quoted(const std::string& text) {
     std::string result = "'";
     for (const char c : text) {
@@ -48,7 +51,7 @@ std::string fish_values(const OptionEntry& option) {
     if (option.value == "MESH") return " -a '(__automorph_files \"off|obj|ply|stl\")'";
     if (option.value == "YAML") return " -a '(__automorph_files \"ya?ml\")'";
     if (option.value == "DIR") return " -a '(__fish_complete_directories)'";
-    if (option.value == "FILE" || option.value == "PATH") return " -F";
+    if (option.value == "FILE" || option.value == "PATH") return kAnyFile;
     return "";
 }
 
@@ -59,7 +62,11 @@ std::string fish_option(const OptionEntry& option, const std::string& condition)
         const bool is_long = flag.rfind("--", 0) == 0;
         text += fmt::format(" {} {}", is_long ? "-l" : "-s", flag.substr(is_long ? 2 : 1));
     }
-    if (!option.value.empty()) text += " -r" + fish_values(option);
+    if (!option.value.empty()) {
+        // -x: what is typed here is no file unless the values say so.
+        const std::string values = fish_values(option);
+        text += (values == kAnyFile ? " -r" : " -x") + values;
+    }
     return text + fmt::format(" -d {}\n", fish_quoted(option.meaning));
 }
 
@@ -97,7 +104,7 @@ std::string fish_completion(const CommandEntry& program) {
     add_fish_paths(paths, program);
     std::string text = "# fish completion of automorph, made by: automorph completion fish\n";
     text += kFishHelpers;
-    text += fmt::format(kFishBegin, fmt::join(flags_with_value(program), " "), fmt::join(paths, " "));
+    text += fmt::format(kFishBegin, fmt::join(program.flags_with_value(), " "), fmt::join(paths, " "));
     add_fish_command(text, program);
     return text;
 }

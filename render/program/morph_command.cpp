@@ -53,7 +53,12 @@ void run(const MorphArguments& arguments, const Surroundings& surroundings) {
     prepare_outputs(arguments);
     const InputMesh source = load_mesh(arguments.source.string()),
                     target = load_mesh(arguments.target.string());
-    const Morph result = morph(source, target, arguments.options);
+    MorphOptions options = arguments.options;
+    options.on_stage = [&](const std::string& stage) {
+        surroundings.progress("morph", Progress::kUnknown, stage);
+    };
+    const Morph result = morph(source, target, options);
+    surroundings.progress("morph", 1.0);
     if (!surroundings.quiet)
         fmt::print("{}{}", meshes_summary(result.report()), morph_summary(result.report()));
 

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "render/figure/progress.h"
+
 namespace automorph::program {
 namespace {
 
@@ -47,6 +49,7 @@ std::string duration_text(double seconds) {
 
 std::string progress_bar(const std::string& task, double fraction, double seconds,
                          const std::string& detail) {
+    if (fraction == Progress::kUnknown) return progress_line(task, fraction, seconds, detail);
     constexpr int kWidth = 20;
     const int full = static_cast<int>(std::floor(std::clamp(fraction, 0.0, 1.0) * kWidth));
     return fmt::format("[{}{}] {:3.0f} %  {}{}", std::string(static_cast<std::size_t>(full), '#'),
@@ -56,6 +59,7 @@ std::string progress_bar(const std::string& task, double fraction, double second
 
 std::string progress_line(const std::string& task, double fraction, double seconds,
                           const std::string& detail) {
+    if (fraction == Progress::kUnknown) return detail.empty() ? task : task + ": " + detail;
     return fmt::format("{}: {:.0f} %{}", task, percent(fraction), remarks(fraction, seconds, detail));
 }
 
@@ -72,7 +76,7 @@ void TerminalProgress::operator()(const std::string& task, double fraction, cons
         clear();
         fmt::print(stderr, "{}: {:.1f} s\n", task, seconds);
         task_.clear();
-    } else if (is_terminal && now - shown_ > kRedraw) {
+    } else if (is_terminal && (fraction == Progress::kUnknown || now - shown_ > kRedraw)) {
         fmt::print(stderr, "\r{}\x1b[K", fitted(progress_bar(task, fraction, seconds, detail)));
         std::fflush(stderr);
         on_screen_ = true;

@@ -27,7 +27,7 @@ private:
 std::string progress_bar(const std::string& task, double fraction, double seconds,
                          const std::string& detail = {});
 
-/// "task: 30 %, detail, 12 s left", for logs.
+/// "task: 30 %, detail, 12 s left", for logs. "task: detail" where the fraction is unknown, here and above.
 std::string progress_line(const std::string& task, double fraction, double seconds,
                           const std::string& detail = {});
 

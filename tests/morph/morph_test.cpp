@@ -421,3 +421,20 @@ TEST_CASE("the note on an unsure registration names both residuals and why a wor
     CHECK(better > 0);
     CHECK(worse > 0);
 }
+
+TEST_CASE("a listener is told of every stage as it begins") {
+    const InputMesh a = admit_mesh(ellipsoid({1, 0.8, 0.5}, {.triangles = 200})),
+                    b = admit_mesh(ellipsoid({1, 0.9, 0.6}, {.triangles = 300}));
+    std::vector<std::string> told;
+    MorphOptions options;
+    options.on_stage = [&](const std::string& stage) { told.push_back(stage); };
+    const Morph result = morph(a, b, options);
+    std::vector<std::string> finished;
+    for (const StageReport& stage : result.report().stages) finished.push_back(stage.name);
+    REQUIRE_FALSE(told.empty());
+    CHECK(told.front() == "registration");
+    std::sort(told.begin(), told.end());
+    std::sort(finished.begin(), finished.end());
+    CHECK(told == finished);
+    CHECK_FALSE(result.report().on_stage);
+}

@@ -34,7 +34,7 @@ double inked(const render::Image& image) {
 
 }  // namespace
 
-TEST_CASE("figure 2: a face and its map, one-to-one on the whole disk") {
+TEST_CASE("figure 2: a face and its map, one-to-one on the whole disk", "[sweep]") {
     const FigureConfig fig2 = config("fig2.yaml");
     const InputMesh face = make_mesh(fig2.source, "face");
     const ShapeMap map = map_shape(face);
@@ -84,7 +84,7 @@ TEST_CASE("a shape from several sides: one cell per turn, the camera holds for a
     CHECK(inked(cells[2].image) == Approx(inked(cells[0].image)).epsilon(0.01));
 }
 
-TEST_CASE("figure 3: each border gets the vertices of the other") {
+TEST_CASE("figure 3: each border gets the vertices of the other", "[sweep]") {
     const FigureConfig fig3 = config("fig3.yaml");
     const InputMesh source = make_mesh(fig3.source, "source"), target = make_mesh(fig3.target, "target");
     const BorderInsertion insertion = insert_borders(source, target, fig3.seed);

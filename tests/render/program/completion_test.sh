@@ -5,7 +5,8 @@
 set -euo pipefail
 automorph=$1
 work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+scripts=$(mktemp -d)
+trap 'rm -rf "$work" "$scripts"' EXIT
 cd "$work"
 mkdir meshes
 touch 'a face.ply' b.OBJ notes.txt fig.yaml meshes/c.stl
@@ -59,8 +60,8 @@ expect '--ver' --version
 expect 'morph --ver' ''
 
 if command -v zsh >/dev/null; then
-    "$automorph" completion zsh >_automorph.zsh
-    found=$(ZDOTDIR=$work zsh -f -c 'source ./_automorph.zsh && print ${_comps[automorph]}
+    "$automorph" completion zsh >"$scripts/_automorph.zsh"
+    found=$(ZDOTDIR=$scripts zsh -f -c 'source $ZDOTDIR/_automorph.zsh && print ${_comps[automorph]}
         COMP_WORDS=(automorph morph --alignment "") COMP_CWORD=3; setopt ksharrays shwordsplit
         compgen() { print -l "$2" }; _automorph; print $COMPREPLY[0]' 2>&1) || true
     [[ $found == *_automorph*none* ]] || { echo "zsh: $found"; failures=$((failures + 1)); }
@@ -69,8 +70,8 @@ fi
 expect_fish() {  # expect_fish TYPED REPLY...: the replies without their descriptions
     local typed=$1 found wanted
     shift
-    found=$(HOME=$work XDG_CONFIG_HOME=$work fish --no-config -c \
-        'source automorph.fish; complete -C $argv[1]' "automorph $typed" 2>&1 | cut -f 1 | sort)
+    found=$(HOME=$scripts XDG_CONFIG_HOME=$scripts fish --no-config -c \
+        'source $HOME/automorph.fish; complete -C $argv[1]' "automorph $typed" 2>&1 | cut -f 1 | sort)
     wanted=$(printf '%s\n' "$@" | sort)
     [[ $found == "$wanted" ]] && return
     printf 'fish: automorph %s: wanted %s, found %s\n' "$typed" "${wanted//$'\n'/ }" "${found//$'\n'/ }"
@@ -78,7 +79,7 @@ expect_fish() {  # expect_fish TYPED REPLY...: the replies without their descrip
 }
 
 if command -v fish >/dev/null; then
-    "$automorph" completion fish >automorph.fish
+    "$automorph" completion fish >"$scripts/automorph.fish"
     expect_fish 'mor' morph
     expect_fish 'shape ' ellipsoid star head
     expect_fish 'morph ' 'a face.ply' b.OBJ meshes/

@@ -287,6 +287,8 @@ TEST_CASE("the progress bar grows with the fraction and stays within its bracket
     CHECK(progress_bar("x", 0.5, 10, "frame 3") == "[##########..........]  50 %  x, frame 3, 10 s left");
     CHECK(progress_line("x", 0.5, 10, "frame 3") == "x: 50 %, frame 3, 10 s left");
     CHECK(progress_line("x", 0.01, 10) == "x: 1 %");
+    CHECK(progress_bar("x", Progress::kUnknown, 10, "third stage") == "x: third stage");
+    CHECK(progress_line("x", Progress::kUnknown, 10) == "x");
     CHECK(duration_text(59.4) == "59 s");
     CHECK(duration_text(60) == "1 min 0 s");
     CHECK(duration_text(3599) == "59 min 59 s");
