@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <span>
 
 #include "morph/alignment/border_pull.h"
@@ -102,9 +101,13 @@ bool lies_on(const Mesh& source, const Mesh& target) {
     return true;
 }
 
+bool has_many_more(const Mesh& mesh, int vertices) {
+    return mesh.vertex_count() >= kManyMore * vertices;
+}
+
 /// The mesh itself, or thinned out if it has many more vertices than are wanted.
 CoarseMesh bounded(const Mesh& mesh, const std::vector<std::vector<int>>& loops, int vertices) {
-    if (mesh.vertex_count() >= kManyMore * vertices) return coarse_mesh(mesh, loops, vertices);
+    if (has_many_more(mesh, vertices)) return coarse_mesh(mesh, loops, vertices);
     return {mesh, {}, loops};
 }
 
@@ -121,8 +124,6 @@ public:
                     !source_loops.empty() && target_loops.empty() ? Coverage::Part : Coverage::Whole),
           x0_(source_.mesh.V),
           x_(x0_) {}
-
-    bool is_thinned_out() const { return !source_.vertex.empty() || !target_.vertex.empty(); }
 
     /// Turns, shifts and scales the source as its matches say, until it stands still.
     void settle() {
@@ -207,12 +208,12 @@ NonRigidAlignment align_nonrigid(const Mesh& source, const std::vector<std::vect
     const std::span<const AlignmentLevel> levels = options.levels;
     const std::size_t first = std::min(levels.size(), static_cast<std::size_t>(options.coarse_levels));
     Fit fine(from, source_loops, to, target_loops, options.vertices, options);
-    std::optional<Fit> coarse;
-    if (first > 0) coarse.emplace(from, source_loops, to, target_loops, options.coarse_vertices, options);
-    if (coarse && coarse->is_thinned_out()) {
-        coarse->settle();
-        coarse->bend(levels.first(first));
-        fine.continue_from(*coarse);
+    if (first > 0 &&
+        (has_many_more(from, options.coarse_vertices) || has_many_more(to, options.coarse_vertices))) {
+        Fit coarse(from, source_loops, to, target_loops, options.coarse_vertices, options);
+        coarse.settle();
+        coarse.bend(levels.first(first));
+        fine.continue_from(coarse);
         fine.bend(levels.subspan(first));
     } else {
         fine.settle();

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "morph/mesh/errors.h"
 
 // Notation: wo towards the eye, wi towards the light, h the microfacet's normal, all with z along the

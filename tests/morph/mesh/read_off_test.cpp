@@ -19,7 +19,6 @@ std::string off_error(const std::string& text) {
     return error_of<IoError>([&] { off(text); });
 }
 
-/// Two polygons over four vertices, (i, 10 i, -i).
 void append_big_endian(std::string& out, std::uint32_t bits) {
     for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(bits >> shift);
 }

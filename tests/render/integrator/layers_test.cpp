@@ -2,7 +2,6 @@
 // motion.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <vector>
 
 #include "morph/mesh/errors.h"
