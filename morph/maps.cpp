@@ -20,7 +20,7 @@ ShapeMap map_onto_sphere(const InputMesh& shape) {
     const SphereMap map = sphere_map(shape.mesh);
     const auto triangles = static_cast<std::size_t>(shape.mesh.triangle_count());
     return {{shape.mesh, std::vector<char>(triangles, 0), {}, map.rays},
-            report_of(shape.report.name, "progressive", map.quality)};
+            report_of(shape.report.name, "progressive embedding", map.quality)};
 }
 
 ShapeMap map_onto_disk(const InputMesh& shape) {

@@ -43,10 +43,10 @@ MergedPair merge(const Shape& shape_a, MappedPart a, const Shape& shape_b, Mappe
     if (options.guide && !options.moves_b) follow_on_sphere(*options.guide, shape_a, a, shape_b, b, report);
     if (options.guide && options.moves_b) follow_on_sphere(*options.guide, shape_b, b, shape_a, a, report);
     const MappedPart* moved = options.moves_b ? &b : &a;
-    const char* name = a.loop.empty() ? "progressive" : "progressive, border locked";
+    const char* name = a.loop.empty() ? "progressive embedding" : "progressive embedding, border locked";
     for (const MappedPart* part : {&a, &b}) {
         report.maps.push_back(report_of(part == &a ? "source" : "target",
-                                        options.guide && part == moved ? "aligned" : name,
+                                        options.guide && part == moved ? "dense alignment" : name,
                                         sphere_map_quality(part->mesh, part->rays)));
     }
     return merge_maps(shape_a, a, shape_b, std::move(b), options.curved, "", report);

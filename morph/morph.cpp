@@ -96,7 +96,7 @@ private:
         registration_ = register_rigid(source_.mesh, target_.mesh, {.seed = options_.seed});
         report_.registration = report_of(registration_, true);
         if (!registration_.confident) {
-            report_.notes.push_back(fmt::format("the registration is unsure: {}; check the first picture",
+            report_.notes.push_back(fmt::format("the registration is unsure: {}; look at the first frames",
                                                 doubt_about(report_.registration)));
         }
     }
@@ -118,7 +118,7 @@ private:
             align_features(disks, "");
             if (guide_ && follow_on_disk(*guide_, disks.a, target_shape_, disks.b, report_)) {
                 report_.maps.front() =
-                    report_of("source", "aligned", map_quality(disks.a.mesh, disks.a.rays));
+                    report_of("source", "dense alignment", map_quality(disks.a.mesh, disks.a.rays));
             }
             merged_ = merge_maps(source_shape_, disks.a, target_shape_, std::move(disks.b), options_.lift, "",
                                  report_);

@@ -55,7 +55,8 @@ struct DistortionReport {
 /// One map onto the domain.
 struct MapReport {
     std::string of;       ///< "source", "target", "source half 1", ...
-    std::string weights;  ///< "cotangent", "mean value", "uniform"; "progressive" on the sphere; "aligned"
+    std::string weights;  ///< "cotangent", "mean value", "uniform"; "progressive embedding" (sphere), "dense
+                          ///< alignment"
     std::string reason;   ///< why not the first choice; empty otherwise
     int flipped = 0;      ///< by the exact predicate; 0 always, or the morph fails
     double p01 = 0, smallest_ratio = 0, residual = 0;

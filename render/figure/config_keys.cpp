@@ -91,7 +91,7 @@ Section<MeshConfig> mesh_section() {
         only_with("shape: ellipsoid", value("opening", &M::opening, {0, 0.9},
                                             "share of the ellipsoid's height along z that is cut off "
                                             "below; 0: closed")),
-        of_star(value("arms", &S::arms, {3, 64}, "how many arms the star has, in its xy-plane")),
+        of_star(value("arms", &S::arms, {3, 12}, "how many arms the star has, in its xy-plane")),
         of_star(value("outer", &S::outer, kPositive, "distance of the star's tips from its centre")),
         of_star(value("inner", &S::inner, kPositive, "distance of the star's valleys from its centre")),
         of_star(

@@ -178,7 +178,7 @@ void add_shape(CLI::App& app, EllipsoidArguments& round, StarArguments& star, He
     CLI::App* arms = command->add_subcommand("star", "A smooth solid star in the xy-plane");
     add_shape_options(*arms, star.out, star.options);
     arms->add_option("--arms", star.parameters.arms, "How many")
-        ->check(CLI::Range(3, 64))
+        ->check(CLI::Range(3, 12))
         ->capture_default_str();
     arms->add_option("--outer", star.parameters.outer, "Radius of the tips")
         ->check(positive)
@@ -209,12 +209,18 @@ Completion completion_of(const std::string& shell) {
     return nullptr;
 }
 
+std::vector<const CLI::App*> every_command(const CLI::App& app) {
+    return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+/// To be called last: help names all the other commands.
 void add_texts(CLI::App& app, TextArguments& arguments) {
+    std::string topics;
+    for (const HelpTopic& topic : help_topics()) topics += std::string(topic.name) + "|";
+    for (const CLI::App* command : every_command(app)) topics += command->get_name() + "|";
+    topics.pop_back();
     CLI::App* help =
         app.add_subcommand("help", "Tells more about a topic or a command, and lists the topics");
-    std::string topics;
-    for (const HelpTopic& topic : help_topics())
-        topics += (topics.empty() ? "" : "|") + std::string(topic.name);
     help->add_option("TOPIC", arguments.topic, "Topic or command")->type_name(topics);
     help->add_flag("--man", arguments.man, "Print all as a manual page: automorph help --man | man -l -");
 
@@ -247,7 +253,7 @@ int print_help(const CLI::App& app, const TextArguments& arguments) {
             return 0;
         }
     }
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    for (const CLI::App* command : every_command(app)) {
         if (arguments.topic == command->get_name()) {
             fmt::print("{}", command->help("automorph"));
             return 0;

@@ -98,6 +98,9 @@ PictureDiff diff_pair(const Pair& pair, const DiffArguments& arguments, double f
     PictureDiff diff;
     if (pair.has_golden && pair.has_found) {
         diff = diff_pictures(pair.golden, pair.found, arguments, false_alarm_rate);
+    } else if (!pair.has_found && !pair.has_golden) {
+        diff.reason =
+            fmt::format("{} and {}: there are no such files", pair.golden.string(), pair.found.string());
     } else if (!pair.has_found) {
         diff.reason =
             fmt::format("{}: missing; there is a golden {}", pair.found.string(), pair.golden.string());

@@ -19,6 +19,7 @@ animated file; for anything else, as numbered meshes:
 No points have to be marked, and the meshes may differ in place, pose, size
 and number of triangles. What was found and done is printed; read the lines
 "note" and "registration": where it says UNSURE, look at the first frames.
+'automorph help summary' explains them all.
 
 Without meshes at hand, make some:
 
@@ -117,6 +118,31 @@ triangle uses or whose triangles were dropped as stray has nan,nan,nan.
 Every file is written aside and renamed: none is ever half there.
 )"};
 
+constexpr HelpTopic kSummary{"summary", "What the lines that 'automorph morph' prints mean",
+                             R"(source, target   the meshes as read, and what was mended in them
+registration     the turn, scale and move that lays the source onto the target.
+                 The residual is the distance left between the surfaces, in
+                 parts of the target's radius. UNSURE: another pose fits nearly
+                 as well, and may be the right one; look at the first frames.
+domain           what both shapes were laid out on: a disk, a sphere, a sphere
+                 with the open shapes' borders locked, or two disks after a cut
+border           vertices of the two borders, and those of both together
+map              how a shape was laid out: "cotangent" (harmonic), "mean value"
+                 and "uniform" are weights of disk maps, "progressive embedding"
+                 is the sphere's, "dense alignment" was then moved so that
+                 corresponding places meet. 0 flipped: the map is one-to-one.
+                 Places shrunk a hundred times (horns, fingers) correspond only
+                 roughly.
+features         only with --alignment features: points of high curvature found,
+                 taken for the same, and brought to one place
+overlay          the merged mesh: the vertices of both, and where their edges
+                 cross
+note             what you should know
+time             in all and of each step, and the most memory used
+
+--report r.json has the same and more as numbers.
+)"};
+
 constexpr HelpTopic kBlender{"blender", "A morph in Blender, three.js and viewers",
                              R"(    automorph morph a.obj b.obj --out m.glb
 
@@ -160,8 +186,8 @@ TrueType file.
 }  // namespace
 
 const std::vector<HelpTopic>& help_topics() {
-    static const std::vector<HelpTopic> topics{kGettingStarted, kMeshes,  kConfigs,        kFigures,
-                                               kOutputFiles,    kBlender, kTroubleshooting};
+    static const std::vector<HelpTopic> topics{kGettingStarted, kMeshes,  kConfigs, kFigures,
+                                               kOutputFiles,    kSummary, kBlender, kTroubleshooting};
     return topics;
 }
 

@@ -153,7 +153,10 @@ std::string info_text(const MeshInfo& info) {
         line("defects", defects(info.found));
     }
     if (!info.refusal.empty()) {
-        text += fmt::format("  cannot be {}: {}\n", info.readable ? "morphed" : "read", info.refusal);
+        const std::string place = info.file + ": ";  // stands above already
+        const bool repeated = info.refusal.starts_with(place);
+        text += fmt::format("  cannot be {}: {}\n", info.readable ? "morphed" : "read",
+                            info.refusal.substr(repeated ? place.size() : 0));
         return text;
     }
     for (const std::string& mended : info.mended) line("mending", mended);

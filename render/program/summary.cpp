@@ -44,8 +44,9 @@ void add_maps(std::string& text, const Report& report) {
                             report.border.target, report.border.shared, report.border.merged);
     }
     for (const MapReport& map : report.maps) {
-        text += fmt::format("map           {}: {}{}, {} flipped, p01 {:.2g}\n", map.of, map.weights,
-                            map.reason.empty() ? "" : " (" + map.reason + ")", map.flipped, map.p01);
+        text += fmt::format(
+            "map           {}: {}{}, {} flipped, 99 % of the surface shrunk less than {:.2g} times\n", map.of,
+            map.weights, map.reason.empty() ? "" : " (" + map.reason + ")", map.flipped, 1 / map.p01);
     }
     for (const FeatureReport& features : report.features) {
         text += fmt::format("features      {} candidates, {} matched, {} laid on one another\n",

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -128,13 +127,27 @@ int accuracy_bench(const std::vector<std::string>& arguments) {
     std::string folder = "../shared/meshes";
     bool ablation = false;
     std::vector<std::string> named;  // variants; none: all
-    for (const std::string& argument : arguments) {
-        if (argument == "--ablation") {
+    for (std::size_t k = 0; k < arguments.size(); ++k) {
+        if (arguments[k] == "--ablation") {
             ablation = true;
-        } else if (argument.starts_with("--only=")) {
-            named.push_back(argument.substr(std::strlen("--only=")));
+        } else if (arguments[k] == "--only" && k + 1 < arguments.size()) {
+            named.push_back(arguments[++k]);
         } else {
-            folder = argument;
+            folder = arguments[k];
+        }
+    }
+    std::vector<Variant> methods = kMethods, ablations = kAblations;
+    if (!named.empty()) {
+        const auto unnamed = [&](const Variant& variant) {
+            return std::find(named.begin(), named.end(), variant.name) == named.end();
+        };
+        std::erase_if(methods, unnamed);
+        std::erase_if(ablations, unnamed);
+        if (methods.size() + ablations.size() != named.size()) {
+            fmt::print(stderr, "--only names no variant; there are:\n");
+            for (const std::vector<Variant>& list : {kMethods, kAblations})
+                for (const Variant& variant : list) fmt::print(stderr, "    {}\n", variant.name);
+            return 2;
         }
     }
     if (!std::filesystem::is_directory(folder)) {
@@ -156,14 +169,6 @@ int accuracy_bench(const std::vector<std::string>& arguments) {
     for (std::vector<AccuracyPair> more :
          {reversed_pairs(pairs), synthetic_pairs(folder), noisy_pairs(folder)})
         pairs.insert(pairs.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-    std::vector<Variant> methods = kMethods, ablations = kAblations;
-    if (!named.empty()) {
-        const auto unnamed = [&](const Variant& variant) {
-            return std::find(named.begin(), named.end(), variant.name) == named.end();
-        };
-        std::erase_if(methods, unnamed);
-        std::erase_if(ablations, unnamed);
-    }
     print_table(methods, pairs);
     if (ablation || !named.empty()) {
         fmt::print("\n");

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kHelp =
     "automorph_bench overlay [A.off B.off]...   the overlay of disk maps beside CGAL's Arrangement_2;\n"
     "                                           without files: pairs of the example meshes in build/meshes\n"
-    "automorph_bench accuracy [--ablation] [--only=VARIANT]... [DIR]\n"
+    "automorph_bench accuracy [--ablation] [--only VARIANT]... [DIR]\n"
     "                                           the correspondence of whole morphs against ground truth "
     "in\n"
     "                                           DIR (default ../shared/meshes), and what each part gives\n"

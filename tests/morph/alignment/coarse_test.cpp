@@ -71,7 +71,7 @@ TEST_CASE("an affine motion of the coarse mesh is carried over as it is") {
     CHECK((carried_over - moved(mesh.V)).rowwise().norm().maxCoeff() < 2e-4);
 }
 
-TEST_CASE("a smooth motion is carried over to second order of the coarse edges") {
+TEST_CASE("a smooth motion is carried over to second order of the coarse edges", "[sweep]") {
     const Mesh mesh = ellipsoid(kAxes, {.triangles = 40000});
     const auto moved = [](const Points& V) {
         Points W = V;
@@ -90,7 +90,7 @@ TEST_CASE("a smooth motion is carried over to second order of the coarse edges")
     CHECK(error[1] < 0.4 * error[0]);
 }
 
-TEST_CASE("a thinned out alignment is nearly as good as one of all vertices") {
+TEST_CASE("a thinned out alignment is nearly as good as one of all vertices", "[sweep]") {
     const Mesh source = star({.arms = 4, .inner = 0.6, .depth = 0.5}, {.triangles = 8000, .seed = 1});
     Mesh target = star({.arms = 4, .inner = 0.6, .depth = 0.5}, {.triangles = 8000, .seed = 2});
     const auto warped = [](const Points& V) {

@@ -132,6 +132,6 @@ TEST_CASE("an open shape is laid densely on a closed one, whichever comes first"
     // The other way round the open shape, now the target, is the one that moves.
     const Morph back = morph(admit_mesh(whole), admit_mesh(part), {});
     CHECK(back.report().alignment.used);
-    CHECK(back.report().maps[1].weights == "aligned");
+    CHECK(back.report().maps[1].weights == "dense alignment");
     CHECK(back.report().maps[1].flipped == 0);
 }

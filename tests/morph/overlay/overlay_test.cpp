@@ -117,7 +117,7 @@ TEST_CASE("maps on a common lattice, with vertices, edges and crossings in commo
     }
 }
 
-TEST_CASE("maps whose vertices are a unit in the last place apart overlay exactly") {
+TEST_CASE("maps whose vertices are a unit in the last place apart overlay exactly", "[sweep]") {
     Random random(4);
     for (int trial = 0; trial < 40; ++trial) {
         INFO("trial " << trial);
@@ -206,7 +206,7 @@ TEST_CASE("a map over itself turned by next to nothing keeps its invariants") {
     }
 }
 
-TEST_CASE("clusters of vertices 1e-12 apart, triangles down to 1e-26, overlay exactly") {
+TEST_CASE("clusters of vertices 1e-12 apart, triangles down to 1e-26, overlay exactly", "[sweep]") {
     Random random(11);
     for (int trial = 0; trial < 40; ++trial) {
         INFO("trial " << trial);

@@ -204,7 +204,7 @@ TEST_CASE("different crops of one shape still find their pose") {
     }
 }
 
-TEST_CASE("a shape of which the other has only a part is found at its own size") {
+TEST_CASE("a shape of which the other has only a part is found at its own size", "[sweep]") {
     test::Random random(13);
     const Mesh whole = test::stretched(test::with_bumps(test::icosphere(4), 0.4), {1.3, 1.0, 0.7});
     const Mesh part = test::re_tessellated(test::cropped(whole, Eigen::Vector3d(1, 0.1, 0.3), -0.6));

@@ -50,7 +50,7 @@ Eigen::Array3d energy_of(const Bsdf& bsdf, int steps) {
 
 }  // namespace
 
-TEST_CASE("every sampler follows its density: chi-square over cells of the sphere") {
+TEST_CASE("every sampler follows its density: chi-square over cells of the sphere", "[sweep]") {
     constexpr int kRings = 20, kSectors = 20, kSamples = 100000;
     for (const Case& c : rough_materials()) {
         const PreparedMaterial prepared(c.material);
@@ -206,7 +206,7 @@ TEST_CASE("white plastic reflects all light, coloured plastic less") {
     }
 }
 
-TEST_CASE("no material reflects more than it gets") {
+TEST_CASE("no material reflects more than it gets", "[sweep]") {
     Numbers numbers(11);
     for (const Case& c : rough_materials()) {
         for (float roughness : {0.0f, 0.1f, 0.3f, 0.6f, 1.0f}) {

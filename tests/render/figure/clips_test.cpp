@@ -124,7 +124,7 @@ TEST_CASE("each row has a video, one row turns, and half of a loop's frames are 
     CHECK_THROWS_AS(make_clips(config, options, other.path(), part), ConfigError);
 }
 
-TEST_CASE("clips are coloured and marked as the cells are") {
+TEST_CASE("clips are coloured and marked as the cells are", "[sweep]") {
     const TemporaryFolder folder;
     const std::vector<std::string> still = {
         "video.turntable=0", "video.frames=2",    "picture.ground=none", "picture.albedo=[0.6, 0.6, 0.6]",
@@ -162,7 +162,7 @@ TEST_CASE("clips are coloured and marked as the cells are") {
     }
 }
 
-TEST_CASE("a turntable is coloured as the cells are") {
+TEST_CASE("a turntable is coloured as the cells are", "[sweep]") {
     if (!has_ffmpeg()) {
         WARN("skipped: ffmpeg is not installed");
         return;

@@ -60,7 +60,7 @@ TEST_CASE("figure 2: a face and its map, one-to-one on the whole disk", "[sweep]
     CHECK(figure.morphs[0].maps.size() == 1);
 }
 
-TEST_CASE("figure 2 shows a closed shape on the sphere, an opening as a hole") {
+TEST_CASE("figure 2 shows a closed shape on the sphere, an opening as a hole", "[sweep]") {
     FigureConfig closed = config("fig2.yaml");
     closed.source.crop = HeadCrop::Closed;
     const Figure figure = draft(closed);

@@ -39,7 +39,7 @@ void check_figure(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("figure 7 is pictured as its golden images") {
+TEST_CASE("figure 7 is pictured as its golden images", "[sweep]") {
     check_figure("fig7");
 }
 

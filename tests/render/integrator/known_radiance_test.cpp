@@ -147,7 +147,7 @@ TEST_CASE("an infinite plane in a sky is lit by half of it, its albedo per colou
     }
 }
 
-TEST_CASE("strategies and roulette agree where light bounces between ground and body") {
+TEST_CASE("strategies and roulette agree where light bounces between ground and body", "[sweep]") {
     const Shape sphere = icosphere(2), plane = square(5.0, -1.0);
     Camera camera;
     camera.position = {0.0, -6.0, 2.0};

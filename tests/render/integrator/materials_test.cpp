@@ -131,7 +131,7 @@ TEST_CASE("the background and the shadow alone are seen through glass") {
     CHECK(mean.value == Approx(0.9).epsilon(0.01));
 }
 
-TEST_CASE("strategies agree on every material, under rectangle, sphere and map") {
+TEST_CASE("strategies agree on every material, under rectangle, sphere and map", "[sweep]") {
     const Shape sphere = icosphere(2), plane = square(5.0, -1.0);
     Image sky(16, 8, 3, 0.1f);
     for (int c = 0; c < 3; ++c) sky.at(5, 2)[c] = sky.at(6, 2)[c] = 20.0f;

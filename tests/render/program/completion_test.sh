@@ -51,6 +51,7 @@ expect 'info --j' --json
 expect 'shape head h.ply --preset car' caricature
 expect 'shape head h.ply --nose-w' --nose-width
 expect 'help trou' troubleshooting
+expect 'help mor' morph
 expect 'completion ' bash fish zsh
 expect '--log-level info mo' morph
 expect '--log-level = info mo' morph

@@ -122,7 +122,7 @@ TEST_CASE("the summary tells what was found, and says so when the registration i
     for (const char* phrase :
          {"a.obj: 120 vertices", "3 boundary loops", "merged 7 duplicate vertices", "closed",
           "turned by 90.0 degrees", "mean value (cotangent weights flipped 3 triangles)", "0 flipped",
-          "a note", "0.75 s", "peak memory 30 MB"}) {
+          "99 % of the surface shrunk less than 4 times", "a note", "0.75 s", "peak memory 30 MB"}) {
         INFO(phrase);
         CHECK(sure.find(phrase) != std::string::npos);
     }
@@ -221,6 +221,9 @@ TEST_CASE("a mesh file is described by counts, size, borders, and what would be 
     write_mesh(folder / "ball.off", ellipsoid({1, 1, 1}, {.triangles = 2000}));
     const MeshInfo ball = examine(folder / "ball.off");
     CHECK(ball.volume == Approx(4.0 / 3.0 * 3.14159265).epsilon(0.01));
+    const std::string gone = info_text(examine(folder / "gone.off"));
+    CHECK(gone.find("gone.off") == gone.rfind("gone.off"));
+    CHECK(gone.find("cannot be read: ") != std::string::npos);
     const auto json = nlohmann::json::parse(info_json({info, ball, examine(folder / "gone.off")}));
     REQUIRE(json.size() == 3);
     CHECK(json[0]["admissible"] == true);

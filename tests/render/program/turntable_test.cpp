@@ -183,7 +183,7 @@ TEST_CASE("kill -9 at any moment costs the frame in flight, and the rerun makes 
     }
 }
 
-TEST_CASE("a rerun makes nothing anew but what changed") {
+TEST_CASE("a rerun makes nothing anew but what changed", "[sweep]") {
     const TemporaryFolder folder;
     make_shapes(folder);
     const std::string command = "turntable a.off --out t/f_.png" + kSmall;
