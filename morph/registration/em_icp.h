@@ -36,7 +36,8 @@ EmIcpResult em_icp(const Points& source, const NearestPoints<3>& target, const R
 /// The last step of the way, beyond the paper: the same p_ij, but a distance counts fully along the target's
 /// normal and little across it (Chen and Medioni 1992, Segal 2009). Two samples of one surface have no points
 /// in common, and with Eq. (5) their chance gaps hold a smooth shape degrees away from its pose; the planes
-/// do not. Stops where EM-ICP would. The caller decides whether the motion is better.
+/// do not. Stops where EM-ICP would, or where small steps get no smaller: on shapes that differ the pose
+/// swings about its place. The caller decides whether the motion is better.
 ///
 /// @param target_normals  #m x 3, one per point of the tree, of either sign
 EmIcpResult polish_along_normals(const Points& source, const NearestPoints<3>& target,

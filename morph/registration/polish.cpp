@@ -1,5 +1,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
 
 #include "morph/registration/em_icp.h"
 #include "morph/registration/neighbourhoods.h"
@@ -12,6 +14,11 @@ namespace {
 // Weight of a distance across the normal, beside 1 along it: enough to hold what planes alone leave free (a
 // flat sheet slides, a sphere turns), too little for the samples' chance gaps to matter.
 constexpr double kAcross = 0.01;
+
+// On shapes that differ, other neighbours come in with every step, and the pose swings about its place
+// without end: steps that are small, but get no smaller. It has settled then.
+constexpr int kPatience = 10;      // steps since the smallest one
+constexpr double kSettled = 1e-3;  // that smallest one at most; turn (radians) + shift, as the tolerance
 
 // The Gauss-Newton step of sum_i (n_i d_i)^2 + kAcross |d_i|^2, with d_i = y_i - (p_i + w x p_i + s).
 RigidStep gauss_newton_step(const Points& moved, const Points& expected, const Points& normals) {
@@ -40,6 +47,8 @@ EmIcpResult polish_along_normals(const Points& source, const NearestPoints<3>& t
     Neighbourhoods near(target, source.rows(), options.neighbours);
     EmIcpResult result;
     result.motion = start;
+    double smallest = std::numeric_limits<double>::infinity();
+    int since = 0;
     while (true) {
         const Points moved = result.motion.apply(source);
         near.find(moved);
@@ -54,7 +63,10 @@ EmIcpResult polish_along_normals(const Points& source, const NearestPoints<3>& t
         result.motion.R = turn * result.motion.R;
         result.motion.t = turn * result.motion.t + step.tail<3>();
         ++result.iterations;
-        result.converged = step_length(step) < options.motion_tolerance;
+        const double length = step_length(step);
+        since = length < smallest ? 0 : since + 1;
+        smallest = std::min(smallest, length);
+        result.converged = length < options.motion_tolerance || (since >= kPatience && smallest < kSettled);
     }
 }
 
