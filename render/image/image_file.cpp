@@ -1,51 +1,42 @@
 #include "render/image/image_file.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <OpenImageIO/strutil.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
+#include <stdexcept>
 
 #include "morph/mesh/errors.h"
 #include "morph/mesh/write_file.h"
+#include "render/image/image_module.h"
 
 namespace automorph::render {
 namespace {
 
 namespace fs = std::filesystem;
+using Type = PictureHeader::Type;
 
-OIIO::ImageSpec make_spec(const fs::path& file, const Image& image, OIIO::TypeDesc type,
-                          const Metadata& metadata) {
+PictureHeader make_header(const fs::path& file, const Image& image, Type type, const Metadata& metadata) {
     if (image.width <= 0 || image.height <= 0 || (image.channels != 1 && image.channels != 3)) {
         throw IoError(
             fmt::format("{}: a picture of {} x {} pixels with {} channels cannot be written; give one or "
                         "three channels",
                         file.string(), image.width, image.height, image.channels));
     }
-    OIIO::ImageSpec spec(image.width, image.height, image.channels, type);
-    if (image.channels == 1) spec.channelnames = {"Y"};
-    spec.attribute("DateTime", "");  // else OpenImageIO writes the time of day
-    for (const auto& [key, value] : metadata) spec.attribute(key, value);
-    return spec;
+    PictureHeader header{image.width, image.height, {"Y"}, type, metadata};
+    if (image.channels == 3) header.channels = {"R", "G", "B"};
+    header.texts["DateTime"] = "";  // else OpenImageIO writes the time of day
+    return header;
 }
 
 /// The bytes of a picture file. @param file  tells the format; nothing is written there
-std::vector<unsigned char> encoded(const fs::path& file, OIIO::ImageSpec spec, OIIO::TypeDesc type,
-                                   const void* pixels) {
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    void* proxy = &memory;
-    spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-    const auto fail = [&](const std::string& why) {
-        throw IoError(fmt::format("{}: cannot write the picture: {}", file.string(), why));
-    };
-    const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(file.string());
-    if (!out) fail(OIIO::geterror());
-    if (!out->open(file.string(), spec) || !out->write_image(type, pixels) || !out->close())
-        fail(out->geterror());
-    return bytes;
+std::vector<unsigned char> encoded(const fs::path& file, const PictureHeader& header, const void* pixels) {
+    const ImageModule& module = image_module();
+    try {
+        return module.encode(file.string(), header, pixels);
+    } catch (const std::runtime_error& error) {
+        throw IoError(fmt::format("{}: cannot write the picture: {}", file.string(), error.what()));
+    }
 }
 
 std::string_view as_text(const std::vector<unsigned char>& bytes) {
@@ -53,28 +44,46 @@ std::string_view as_text(const std::vector<unsigned char>& bytes) {
 }
 
 // Encodes in memory first: OpenImageIO does not notice every failure of a disk.
-void write(const fs::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type, const void* pixels) {
-    write_file(file, as_text(encoded(file, spec, type, pixels)));
+void write(const fs::path& file, const PictureHeader& header, const void* pixels) {
+    write_file(file, as_text(encoded(file, header, pixels)));
+}
+
+PictureHeader header_of(const fs::path& file) {
+    const ImageModule& module = image_module();
+    try {
+        return module.read_header(file.string());
+    } catch (const std::runtime_error& error) {
+        throw IoError(fmt::format("{}: cannot read the picture: {}", file.string(), error.what()));
+    }
+}
+
+/// The place of a channel in a pixel, or -1.
+int channel_index(const PictureHeader& header, const std::string& name) {
+    const auto found = std::find(header.channels.begin(), header.channels.end(), name);
+    return found == header.channels.end() ? -1 : static_cast<int>(found - header.channels.begin());
 }
 
 // Which channels of the file are the picture's: R, G, B by name, else the first one or three.
-std::vector<int> picture_channels(const OIIO::ImageSpec& spec) {
-    const std::vector<int> rgb{spec.channelindex("R"), spec.channelindex("G"), spec.channelindex("B")};
+std::vector<int> picture_channels(const PictureHeader& header) {
+    const std::vector<int> rgb{channel_index(header, "R"), channel_index(header, "G"),
+                               channel_index(header, "B")};
     if (std::none_of(rgb.begin(), rgb.end(), [](int c) { return c < 0; })) return rgb;
-    if (spec.nchannels >= 3) return {0, 1, 2};
+    if (header.channels.size() >= 3) return {0, 1, 2};
     return {0};
 }
 
 template <class T, class Convert>
-Image read_pixels(OIIO::ImageInput& in, const std::vector<int>& channels, OIIO::TypeDesc type,
-                  const fs::path& file, const Convert& convert) {
-    const OIIO::ImageSpec& spec = in.spec();
-    const auto all = static_cast<std::size_t>(spec.nchannels);
-    std::vector<T> raw(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * all);
-    if (!in.read_image(0, 0, 0, spec.nchannels, type, raw.data())) {
-        throw IoError(fmt::format("{}: cannot read the pixels: {}", file.string(), in.geterror()));
+Image read_pixels(const fs::path& file, const PictureHeader& header, const std::vector<int>& channels,
+                  Type type, const Convert& convert) {
+    const std::size_t all = header.channels.size();
+    std::vector<T> raw(static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.height) *
+                       all);
+    try {
+        image_module().read_pixels(file.string(), type, raw.data());
+    } catch (const std::runtime_error& error) {
+        throw IoError(fmt::format("{}: cannot read the pixels: {}", file.string(), error.what()));
     }
-    Image image(spec.width, spec.height, static_cast<int>(channels.size()));
+    Image image(header.width, header.height, static_cast<int>(channels.size()));
     std::size_t next = 0;
     for (std::size_t pixel = 0; pixel < raw.size(); pixel += all) {
         for (int c : channels) image.pixels[next++] = convert(raw[pixel + static_cast<std::size_t>(c)]);
@@ -82,22 +91,16 @@ Image read_pixels(OIIO::ImageInput& in, const std::vector<int>& channels, OIIO::
     return image;
 }
 
-std::unique_ptr<OIIO::ImageInput> opened(const fs::path& file, const OIIO::ImageSpec* hints = nullptr) {
-    std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(file.string(), hints);
-    if (!in) throw IoError(fmt::format("{}: cannot read the picture: {}", file.string(), OIIO::geterror()));
-    return in;
-}
-
-float as_stored(float value) {
-    return value;
+Image read_floats(const fs::path& file, const PictureHeader& header, const std::vector<int>& channels) {
+    return read_pixels<float>(file, header, channels, Type::Float, [](float value) { return value; });
 }
 
 }  // namespace
 
 void write_exr(const fs::path& file, const Image& image, const Metadata& metadata) {
-    OIIO::ImageSpec spec = make_spec(file, image, OIIO::TypeDesc::FLOAT, metadata);
-    spec.attribute("compression", "zip");
-    write(file, spec, OIIO::TypeDesc::FLOAT, image.pixels.data());
+    PictureHeader header = make_header(file, image, Type::Float, metadata);
+    header.texts["compression"] = "zip";
+    write(file, header, image.pixels.data());
 }
 
 void write_exr(const fs::path& file, const Image& image, const Layers& layers, const Metadata& metadata) {
@@ -120,8 +123,8 @@ void write_exr(const fs::path& file, const Image& image, const Layers& layers, c
                                   {layers.face, {"face.id"}},
                                   {layers.variance, names("variance", "RGB")},
                                   {layers.samples, {"samples.count"}}};
-    OIIO::ImageSpec spec = make_spec(file, image, OIIO::TypeDesc::FLOAT, metadata);
-    spec.channelnames.clear();
+    PictureHeader header = make_header(file, image, Type::Float, metadata);
+    header.channels.clear();
     for (const Part& part : parts) {
         if (part.image.width != image.width || part.image.height != image.height ||
             part.image.channels != static_cast<int>(part.channels.size())) {
@@ -130,106 +133,95 @@ void write_exr(const fs::path& file, const Image& image, const Layers& layers, c
                             file.string(), part.channels.front(), part.image.width, part.image.height,
                             part.image.channels, image.width, image.height, part.channels.size()));
         }
-        spec.channelnames.insert(spec.channelnames.end(), part.channels.begin(), part.channels.end());
+        header.channels.insert(header.channels.end(), part.channels.begin(), part.channels.end());
     }
-    spec.nchannels = static_cast<int>(spec.channelnames.size());
-    spec.attribute("compression", "zip");
+    header.texts["compression"] = "zip";
     std::vector<float> pixels;
-    pixels.reserve(static_cast<std::size_t>(spec.nchannels) * image.pixels.size() / 3);
+    pixels.reserve(header.channels.size() * image.pixels.size() / 3);
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             for (const Part& part : parts)
                 pixels.insert(pixels.end(), part.image.at(x, y), part.image.at(x, y) + part.image.channels);
         }
     }
-    write(file, spec, OIIO::TypeDesc::FLOAT, pixels.data());
+    write(file, header, pixels.data());
 }
 
 void write_png(const fs::path& file, const Image& image, const Metadata& metadata,
                const PngOptions& options) {
     if (options.bits != 8 && options.bits != 16)
         throw IoError(fmt::format("{}: PNG of {} bits; expected 8 or 16", file.string(), options.bits));
-    const OIIO::TypeDesc type = options.bits == 8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16;
-    OIIO::ImageSpec spec = make_spec(file, image, type, metadata);
-    spec.attribute("oiio:ColorSpace", "sRGB");
+    PictureHeader header = make_header(file, image, options.bits == 8 ? Type::Byte : Type::Short, metadata);
+    header.texts["oiio:ColorSpace"] = "sRGB";
     std::vector<float> linear = image.pixels;
     if (options.curve == ToneCurve::Filmic)
         std::transform(linear.begin(), linear.end(), linear.begin(), filmic);
     if (options.bits == 8) {
         std::vector<std::uint8_t> codes(linear.size());
         std::transform(linear.begin(), linear.end(), codes.begin(), to_srgb8);
-        write(file, spec, type, codes.data());
+        write(file, header, codes.data());
     } else {
         std::vector<std::uint16_t> codes(linear.size());
         std::transform(linear.begin(), linear.end(), codes.begin(), to_srgb16);
-        write(file, spec, type, codes.data());
+        write(file, header, codes.data());
     }
 }
 
 std::string jpeg_data_uri(const Image& image, int quality) {
     const fs::path name = "picture.jpg";
-    OIIO::ImageSpec spec = make_spec(name, image, OIIO::TypeDesc::UINT8, {});
-    spec.attribute("Compression", fmt::format("jpeg:{}", quality));
-    spec.attribute("jpeg:subsampling", "4:4:4");
+    PictureHeader header = make_header(name, image, Type::Byte, {});
+    header.texts["Compression"] = fmt::format("jpeg:{}", quality);
+    header.texts["jpeg:subsampling"] = "4:4:4";
     std::vector<std::uint8_t> codes(image.pixels.size());
     std::transform(image.pixels.begin(), image.pixels.end(), codes.begin(), to_srgb8);
-    const std::vector<unsigned char> bytes = encoded(name, spec, OIIO::TypeDesc::UINT8, codes.data());
+    const std::vector<unsigned char> bytes = encoded(name, header, codes.data());
     return "data:image/jpeg;base64," + OIIO::Strutil::base64_encode(as_text(bytes));
 }
 
 ImageFile read_image(const fs::path& file) {
-    OIIO::ImageSpec hints;
-    hints.attribute("oiio:UnassociatedAlpha", 1);  // colours as stored, alpha is dropped
-    const std::unique_ptr<OIIO::ImageInput> in = opened(file, &hints);
-    const OIIO::ImageSpec spec = in->spec();
-    const std::vector<int> channels = picture_channels(spec);
-    ImageFile result;
-    const auto type = static_cast<OIIO::TypeDesc::BASETYPE>(spec.format.basetype);
-    if (type == OIIO::TypeDesc::FLOAT || type == OIIO::TypeDesc::HALF) {
-        result.image = read_pixels<float>(*in, channels, OIIO::TypeDesc::FLOAT, file, as_stored);
-    } else if (type == OIIO::TypeDesc::UINT8) {
-        result.image = read_pixels<std::uint8_t>(*in, channels, OIIO::TypeDesc::UINT8, file, from_srgb8);
-    } else if (type == OIIO::TypeDesc::UINT16) {
-        result.image =
-            read_pixels<std::uint16_t>(*in, channels, OIIO::TypeDesc::UINT16, file,
-                                       [](std::uint16_t code) { return from_srgb(code / 65535.0); });
-    } else {
-        throw IoError(fmt::format("{}: pixels are of type {}; expected 8-bit or 16-bit integers or floats",
-                                  file.string(), spec.format.c_str()));
-    }
-    for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
-        if (attribute.type() == OIIO::TypeDesc::STRING) {
-            result.metadata[attribute.name().string()] = attribute.get_string();
-        }
+    const PictureHeader header = header_of(file);
+    const std::vector<int> channels = picture_channels(header);
+    ImageFile result{{}, header.texts};
+    switch (header.type) {
+        case Type::Byte:
+            result.image = read_pixels<std::uint8_t>(file, header, channels, Type::Byte, from_srgb8);
+            break;
+        case Type::Short:
+            result.image =
+                read_pixels<std::uint16_t>(file, header, channels, Type::Short,
+                                           [](std::uint16_t code) { return from_srgb(code / 65535.0); });
+            break;
+        case Type::Float:
+            result.image = read_floats(file, header, channels);
+            break;
     }
     return result;
 }
 
 std::vector<std::string> channel_names(const fs::path& file) {
-    return opened(file)->spec().channelnames;
+    return header_of(file).channels;
 }
 
 Image read_channels(const fs::path& file, const std::vector<std::string>& names) {
-    const std::unique_ptr<OIIO::ImageInput> in = opened(file);
-    const OIIO::ImageSpec spec = in->spec();
+    const PictureHeader header = header_of(file);
     std::vector<int> channels;
     for (const std::string& name : names) {
-        const int channel = spec.channelindex(name);
+        const int channel = channel_index(header, name);
         if (channel < 0) throw IoError(fmt::format("{}: there is no channel {}", file.string(), name));
         channels.push_back(channel);
     }
-    return read_pixels<float>(*in, channels, OIIO::TypeDesc::FLOAT, file, as_stored);
+    return read_floats(file, header, channels);
 }
 
 std::optional<std::vector<Image>> read_layers(const fs::path& file,
                                               const std::vector<std::vector<std::string>>& layers) {
-    const std::unique_ptr<OIIO::ImageInput> in = opened(file);
+    const PictureHeader header = header_of(file);
     std::vector<int> channels;
     for (const std::vector<std::string>& names : layers) {
-        for (const std::string& name : names) channels.push_back(in->spec().channelindex(name));
+        for (const std::string& name : names) channels.push_back(channel_index(header, name));
     }
     if (std::any_of(channels.begin(), channels.end(), [](int channel) { return channel < 0; })) return {};
-    const Image all = read_pixels<float>(*in, channels, OIIO::TypeDesc::FLOAT, file, as_stored);
+    const Image all = read_floats(file, header, channels);
     std::vector<Image> images;
     std::size_t first = 0;
     for (const std::vector<std::string>& names : layers) {

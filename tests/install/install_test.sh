@@ -10,9 +10,22 @@ trap 'rm -rf "$work"' EXIT
 
 "$cmake" --install "$build" --prefix "$work/program" --component program >"$work/log"
 for file in bin/automorph share/man/man1/automorph.1.gz share/bash-completion/completions/automorph \
-    share/fish/vendor_completions.d/automorph.fish; do
+    share/fish/vendor_completions.d/automorph.fish lib/automorph/image_io.so; do
     [[ -s $work/program/$file ]] || { echo "not installed: $file"; exit 1; }
 done
+# Pictures are read and written by a module that is found from the program on, wherever that was moved; without it the
+# error says what is missing.
+mv "$work/program" "$work/moved"
+ln -s moved/bin/automorph "$work/linked"
+printf 'show: shape\nsource: {shape: ellipsoid, triangles: 200}\npicture: {width: 24, height: 24, spp: 1}\n' >"$work/tiny.yaml"
+"$work/linked" figure "$work/tiny.yaml" --out "$work/tiny" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
+rm "$work/moved/lib/automorph/image_io.so"
+if "$work/linked" figure "$work/tiny.yaml" --out "$work/none" >"$work/log" 2>&1 ||
+    ! grep -F "moved/lib/automorph/image_io.so: " "$work/log" >/dev/null; then
+    echo "a missing module is not named:"
+    cat "$work/log"
+    exit 1
+fi
 "$cmake" --install "$build" --prefix "$work/prefix" --component development >"$work/log"
 cp -r "$here" "$work/outside"
 "$cmake" -G Ninja -S "$work/outside" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" -DCMAKE_CXX_COMPILER="$compiler" \

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "morph/mesh/errors.h"
+#include "render/image/image_module.h"
 #include "tests/catch.h"
 #include "tests/files.h"
 
@@ -215,4 +216,21 @@ TEST_CASE("what cannot be written or read is an error that names the file, and l
     } catch (const IoError& error) {
         CHECK(std::string(error.what()).find("half.exr") != std::string::npos);
     }
+}
+
+TEST_CASE("a module that is missing or none is an error that names the file and the reason") {
+    const Folder folder;
+    const auto message = [](const fs::path& file) {
+        try {
+            load_image_module(file.string());
+        } catch (const IoError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const fs::path missing = folder.path / "image_io.so", text = folder.path / "text.so";
+    CHECK(message(missing).find(missing.string() + ": ") == 0);
+    CHECK(message(missing).find("no such file") != std::string::npos);
+    std::ofstream(text) << "not a library";
+    CHECK(message(text).find(text.string() + ": ") == 0);
 }
