@@ -110,7 +110,7 @@ Bsdf::Shares Bsdf::shares() const {
     shares.glass = (1.0f - m.metallic) * m.transmission;
     shares.body = 1.0f - shares.metal - shares.glass;
     const float reflected = prepared_->coat(wo_.z());
-    const float below = (1.0f - reflected) * base_color_.maxCoeff();
+    const float below = std::max(0.0f, (1.0f - reflected) * base_color_.maxCoeff());  // 0 where not a number
     shares.coat = reflected > 0.0f ? reflected / (reflected + below) : 0.0f;
     return shares;
 }

@@ -230,7 +230,7 @@ std::array<std::optional<Hit>, RayPacket::kSize> EmbreeScene::intersect(const Ra
     alignas(64) std::array<int, RayPacket::kSize> valid;
     alignas(64) RTCRayHit16 query;
     for (std::size_t i = 0; i < RayPacket::kSize; ++i) {
-        valid[i] = i < packet.count ? -1 : 0;
+        valid[i] = i < packet.count && traceable(packet.rays[i]) ? -1 : 0;
         const Ray& ray = packet.rays[i < packet.count ? i : 0];
         query.ray.org_x[i] = ray.origin.x();
         query.ray.org_y[i] = ray.origin.y();

@@ -19,6 +19,12 @@ struct Hit {
     std::uint32_t mesh, triangle;
 };
 
+/// Whether Embree can trace a ray: it ends the program where a coordinate is not finite or beyond some 1e18.
+inline bool traceable(const Ray& ray) {
+    constexpr float kLargest = 1e18f;
+    return ray.origin.cwiseAbs().sum() + ray.direction.cwiseAbs().sum() < kLargest;
+}
+
 /// Rays that are traced together.
 struct RayPacket {
     static constexpr std::size_t kSize = 16;
@@ -49,13 +55,14 @@ public:
     /// Builds or refits the tree if anything changed, with the threads of the calling TBB arena.
     void commit();
 
-    /// First hit in (0, far).
+    /// First hit in (0, far). @pre traceable(ray)
     std::optional<Hit> intersect(const Ray& ray, float far) const;
 
-    /// First hits of a packet. For rays of one pixel this takes a third of the time of single rays.
+    /// First hits of a packet; rays that cannot be traced have none. For rays of one pixel this takes a third
+    /// of the time of single rays.
     std::array<std::optional<Hit>, RayPacket::kSize> intersect(const RayPacket& packet) const;
 
-    /// Whether anything lies in (0, far). The direction may have any length.
+    /// Whether anything lies in (0, far). The direction may have any length. @pre traceable(ray)
     bool occluded(const Ray& ray, float far) const;
 
 private:

@@ -32,7 +32,8 @@ struct MeshOptions {
     /// end.
     int time_steps = 1;
     Points vertex_colors;   ///< #V x 3, linear, optional: instead of the material's base_color
-    Points vertex_normals;  ///< #V x 3, optional: used instead of area-weighted ones where normals are Smooth
+    Points vertex_normals;  ///< #V x 3, optional: used instead of area-weighted ones where normals are
+                            ///< Smooth; zero or not finite: none at this vertex
 };
 
 /// Everything that is rendered: meshes, lights and sky. Meshes keep their triangles while their vertices move

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "morph/mesh/errors.h"
 
@@ -31,6 +32,19 @@ float largest_coordinate(const std::vector<float>& positions) {
     return largest;
 }
 
+// Those without a direction become the zero vector.
+std::vector<float> unit_normals(Points normals) {
+    for (Eigen::Index i = 0; i < normals.rows(); ++i) {
+        const double length = normals.row(i).norm();
+        if (length > 0.0 && std::isfinite(length)) {
+            normals.row(i) /= length;
+        } else {
+            normals.row(i).setZero();
+        }
+    }
+    return to_floats(normals, 0);
+}
+
 // Unit vertex normals, each triangle weighted by its area: the needles of merged meshes, whose own normals
 // are rounding, do not count. Vertices without one get the zero vector.
 std::vector<float> area_weighted_normals(const Points& V, const std::vector<std::uint32_t>& indices) {
@@ -41,11 +55,7 @@ std::vector<float> area_weighted_normals(const Points& V, const std::vector<std:
         if (!area_normal.allFinite()) continue;
         for (std::size_t k = 0; k < 3; ++k) sums.row(indices[f + k]) += area_normal;
     }
-    for (Eigen::Index i = 0; i < sums.rows(); ++i) {
-        const double length = sums.row(i).norm();
-        if (length > 0.0) sums.row(i) /= length;
-    }
-    return to_floats(sums, 0);
+    return unit_normals(std::move(sums));
 }
 
 }  // namespace
@@ -70,7 +80,7 @@ TriangleMesh::TriangleMesh(const Points& V, const Triangles& F, Normals normals,
                 fmt::format("{} vertex normals are given for {} vertices", vertex_normals.rows(), V.rows()));
         }
         given_normals_ = true;
-        if (smooth_) normals_ = {to_floats(vertex_normals.rowwise().normalized(), 0)};
+        if (smooth_) normals_ = {unit_normals(vertex_normals)};
     }
     for (std::vector<float>& step : positions_) step.resize(static_cast<std::size_t>(V.size()) + kPadding);
     move(std::vector<Points>(positions_.size(), V));

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace automorph::render {
 namespace {
+
+// A sample that cannot be taken, since a ray of it is not finite; it will be dropped and counted.
+const Color kBad = Color::Constant(std::numeric_limits<float>::quiet_NaN());
 
 constexpr float kLeastEyeCosine = 0.02f;  // between shading normal and eye, where a surface is not diffuse
 
@@ -105,6 +109,7 @@ Color PathTracer::direct_light(const Vertex& vertex, float choice, Sample2 place
     if (!(value.pdf > 0.0f)) return Color::Zero();
     ++rays;
     const Ray shadow{wi.z() > 0.0f ? from : vertex.surface.ray_origin_behind, light->to_light, time};
+    if (!traceable(shadow)) return kBad;
     if (scene_.embree().occluded(shadow, light->far)) return Color::Zero();
     const float weight = options_.lights == LightStrategy::Lights ? 1.0f : mis_weight(light->pdf, value.pdf);
     return weight / light->pdf * value.f_cos * light->radiance;
@@ -136,6 +141,7 @@ Color PathTracer::radiance(Ray ray, std::optional<Hit> hit, const SampleNumbers&
     float density = 1.0f;        // of the medium, squared index: what refraction took from the throughput
     bool through_glass = true;   // what is met now is seen directly, or through nothing but glass
     for (int depth = 0;; ++depth) {
+        if (!traceable(ray)) return kBad;
         ++rays;
         if (depth > 0) hit = scene_.embree().intersect(ray, kInfinity);
         sum += throughput * light_on_the_way(ray, normal, hit ? hit->distance : kInfinity, depth, bsdf_pdf);

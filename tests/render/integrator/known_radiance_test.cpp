@@ -1,8 +1,11 @@
 // Scenes whose radiance is known exactly.
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "render/integrator/render.h"
 #include "tests/catch.h"
+#include "tests/render/day_sky.h"
 #include "tests/render/picture_mean.h"
 #include "tests/render/shapes.h"
 
@@ -127,7 +130,7 @@ TEST_CASE("a closed box of glowing grey walls has the geometric sum of its bounc
         options.roulette_after = 0;
         options.spp = 256;
         const Mean mean = mean_red(render::render(scene, camera, options).image);
-        CHECK(std::abs(mean.value - radiance) < 4.0 * mean.error + 1e-6);
+        CHECK(std::abs(mean.value - radiance) < 3.0 * mean.error + 1e-6);
         CHECK(mean.value == Approx(radiance).epsilon(0.005));
     }
 }
@@ -144,6 +147,25 @@ TEST_CASE("an infinite plane in a sky is lit by half of it, its albedo per colou
         CHECK(image.pixels[i] == Approx(0.6f));
         CHECK(image.pixels[i + 1] == Approx(1.2f));
         CHECK(image.pixels[i + 2] == Approx(1.0f));
+    }
+}
+
+TEST_CASE("a white plane under the sky of a clear day has its known radiance, in each colour") {
+    Scene scene;
+    const Shape plane = square(1e3, 0.0);
+    scene.add_mesh(plane.V, plane.F, flat(1.0f));
+    scene.sky.map = std::make_shared<EquirectangularMap>(day_sky());
+    for (LightStrategy strategy : {LightStrategy::Both, LightStrategy::Lights}) {
+        RenderOptions options = small_picture(16, 1024);
+        options.lights = strategy;
+        Image image = render::render(scene, close_up(), options).image;
+        for (const double expected : kDaySkyPlane) {
+            const Mean mean = mean_red(image);
+            CHECK(std::abs(mean.value - expected) < 3.0 * mean.error + 1e-5);
+            CHECK(std::abs(mean.value - expected) < 0.003 * expected);
+            std::rotate(image.pixels.begin(), image.pixels.begin() + 1,
+                        image.pixels.end());  // the next colour
+        }
     }
 }
 

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -17,8 +16,6 @@ using namespace automorph;
 using namespace automorph::render;
 
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 Scene lit_sphere(const SceneOptions& options = {}) {
     const Shape sphere = icosphere(2), plane = square(5.0, -1.0);
@@ -36,11 +33,6 @@ RenderOptions options_of(int width, int height, int spp) {
     options.height = height;
     options.spp = spp;
     return options;
-}
-
-bool all_finite(const Image& image) {
-    return std::all_of(image.pixels.begin(), image.pixels.end(),
-                       [](float x) { return std::isfinite(x) && x >= 0; });
 }
 
 }  // namespace
@@ -136,89 +128,6 @@ TEST_CASE("moved vertices give the picture of a scene made with them") {
         scene.move_mesh(0, moved);
         CHECK(same_bits(render::render(scene, {}, options).image, expected));
     }
-}
-
-TEST_CASE("degenerate and broken geometry gives a finite picture") {
-    const Shape sphere = icosphere(2);
-    Points V = sphere.V;
-    Triangles F = sphere.F;
-    SECTION("vertices that are not finite") {
-        V.row(3).setConstant(kNaN);
-        V(17, 1) = std::numeric_limits<double>::infinity();
-        V(30, 0) = 1e300;
-    }
-    SECTION("all vertices are not numbers") {
-        V.setConstant(kNaN);
-    }
-    SECTION("all vertices coincide") {
-        V.setConstant(0.25);
-    }
-    SECTION("all vertices on a line") {
-        V.col(1) = V.col(0);
-        V.col(2) = V.col(0);
-    }
-    SECTION("triangles with a repeated vertex") {
-        F.col(1).topRows(100) = F.col(0).topRows(100);
-    }
-    SECTION("every triangle twice, once turned over") {
-        Triangles twice(2 * F.rows(), 3);
-        twice << F, F.rowwise().reverse();
-        F = twice;
-    }
-    SECTION("no triangles") {
-        F.resize(0, 3);
-    }
-    SECTION("nothing at all") {
-        V.resize(0, 3);
-        F.resize(0, 3);
-    }
-    for (Normals normals : {Normals::Flat, Normals::Smooth}) {
-        Scene scene;
-        MeshOptions mesh;
-        mesh.normals = normals;
-        scene.add_mesh(V, F, mesh);
-        const Shape plane = square(5.0, -0.5);
-        scene.add_mesh(plane.V, plane.F, mesh);
-        scene.lights.push_back(square_light({2, -2, 3}, {0, 0, 0}, 1.5f, Color::Ones()));
-        scene.sky.radiance.setConstant(0.2f);
-        const RenderResult result = render::render(scene, {}, options_of(32, 24, 4));
-        CHECK(all_finite(result.image));
-        CHECK(result.bad_samples == 0);
-        scene.move_mesh(0, V);
-        CHECK(all_finite(render::render(scene, {}, options_of(32, 24, 4)).image));
-    }
-}
-
-TEST_CASE("an empty scene shows its background, a camera inside a closed body sees black") {
-    Scene empty;
-    empty.sky.radiance.setConstant(0.25f);
-    const Image sky = render::render(empty, {}, options_of(8, 8, 2)).image;
-    CHECK(std::count(sky.pixels.begin(), sky.pixels.end(), 0.25f) == 8 * 8 * 3);
-    empty.background = Color::Constant(0.5f);
-    const Image background = render::render(empty, {}, options_of(8, 8, 2)).image;
-    CHECK(std::count(background.pixels.begin(), background.pixels.end(), 0.5f) == 8 * 8 * 3);
-
-    const Shape cube = box();
-    Scene closed;
-    closed.add_mesh(cube.V, cube.F);
-    closed.sky.radiance.setOnes();
-    closed.lights.push_back(square_light({0, 0, 3}, {0, 0, 0}, 1.0f, Color::Constant(5.0f)));
-    Camera inside;
-    inside.position = {0.2, 0.1, 0.0};
-    inside.target = {1.0, 0.3, 0.4};
-    const RenderResult result = render::render(closed, inside, options_of(16, 16, 16));
-    CHECK(std::count(result.image.pixels.begin(), result.image.pixels.end(), 0.0f) == 16 * 16 * 3);
-}
-
-TEST_CASE("samples that are not finite are dropped and counted") {
-    Scene scene = lit_sphere();
-    Material broken;
-    broken.base_color = {0.5f, std::numeric_limits<float>::quiet_NaN(), 0.5f};
-    scene.set_material(0, broken);
-    const RenderResult result = render::render(scene, {}, options_of(32, 24, 4));
-    CHECK(result.bad_samples > 100);
-    CHECK(result.bad_samples < result.samples);
-    CHECK(all_finite(result.image));
 }
 
 TEST_CASE("wrong input is refused with the place") {
