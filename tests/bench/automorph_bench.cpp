@@ -5,6 +5,7 @@
 
 #include "overlay_bench.h"
 #include "tests/bench/accuracy_bench.h"
+#include "tests/bench/cycles_bench.h"
 #include "tests/bench/pairs_bench.h"
 #include "tests/bench/registration_bench.h"
 #include "tests/bench/render_bench.h"
@@ -25,7 +26,12 @@ constexpr const char* kHelp =
     "automorph_bench registration [--poses N] [--seed N] [--only TEXT]\n"
     "                                           shapes found again from any pose, with noise, with parts "
     "missing\n"
-    "automorph_bench render [MESH.off]          rays per CPU second beside the smallest path tracer\n";
+    "automorph_bench render [PART]...           what the path tracer costs, beside the smallest path tracer "
+    "and Cycles;\n"
+    "                                           parts: rays, threads, memory, moving, start, noise\n"
+    "automorph_bench cycles DIR [--spp N] [--size WxH] [S1|S1s|S2|S3]...\n"
+    "                                           our pictures against those of Cycles, which are kept in "
+    "DIR\n";
 
 }  // namespace
 
@@ -42,6 +48,8 @@ int main(int argc, char** argv) {
             return automorph::bench::registration_bench({arguments.begin() + 1, arguments.end()});
         if (!arguments.empty() && arguments[0] == "render")
             return automorph::bench::render_bench({arguments.begin() + 1, arguments.end()});
+        if (!arguments.empty() && arguments[0] == "cycles")
+            return automorph::bench::cycles_bench({arguments.begin() + 1, arguments.end()});
         std::fputs(kHelp, arguments.empty() || arguments[0] == "help" ? stdout : stderr);
         return arguments.empty() || arguments[0] == "help" ? 0 : 2;
     } catch (const std::exception& error) {

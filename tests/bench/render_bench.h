@@ -5,10 +5,10 @@
 
 namespace automorph::bench {
 
-/// Measures the path tracer on a mesh on a ground under a square light and a faint sky, beside the smallest
-/// path tracer there can be on the same tree (minimal_tracer.h), in turns in one run; prints one table.
-/// @param files  at most one mesh file; none: mannequin-devil.off of the example meshes
-/// @return 0; 1 if both tracers' pictures differ by more than their noise; 2 on bad arguments
-int render_bench(const std::vector<std::string>& files);
+/// Prints what the path tracer costs, each figure beside what it is measured against, taken in turns in one
+/// run: rays per CPU second, two threads, memory, moving a mesh, start of the program, noise per CPU second.
+/// @param arguments  the parts to measure (rays, threads, memory, moving, start, noise), or none for all
+/// @returns 0, or 1 if pictures that must show the same differ, 2 if the arguments are wrong
+int render_bench(const std::vector<std::string>& arguments);
 
 }  // namespace automorph::bench
