@@ -93,6 +93,15 @@ std::vector<std::string> doubts(const Report& report) {
     return sentences;
 }
 
+void warn_of_doubts(const Report& report, const Surroundings& surroundings) {
+    for (const std::string& doubt : doubts(report)) surroundings.warn(doubt);
+}
+
+void print_morph(const Report& report, const Surroundings& surroundings) {
+    if (surroundings.quiet) return warn_of_doubts(report, surroundings);
+    fmt::print("{}{}", meshes_summary(report), morph_summary(report));
+}
+
 std::string morph_summary(const Report& report) {
     std::string text;
     if (!report.domain.empty() || report.registration.used) add_registration(text, report.registration);

@@ -174,6 +174,7 @@ TEST_CASE("every error is one line on stderr and status 1, and leaves nothing be
     std::ofstream(folder / "gone.yaml")
         << "source: gone.off\ntarget: b.ply\nrows: [{label: x}]\noutput: made\n";
     std::ofstream(folder / "broken.off") << "OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n";
+    fs::create_directory(folder / "folder.glb");
     const std::set<std::string> before = names_in(folder.path());
     const auto check = [&](const std::string& arguments, const std::string& phrase) {
         const Run result = run_program(folder, arguments + " -q");
@@ -209,6 +210,15 @@ TEST_CASE("every error is one line on stderr and status 1, and leaves nothing be
     check("figure gone.yaml --out a.off/x", "a.off");
     check("info gone.off", "gone.off");
     check("fly", "there is no command 'fly'");
-    check("", "subcommand");
+    check("shpe head x.ply", "there is no command 'shpe'; did you mean 'shape'?");
+    check("shape had x.ply",
+          "there is no command 'had'; did you mean 'head'?; there are ellipsoid, star, head");
+    check("morph a.off b.ply --outt m.glb", "there is no option '--outt'; did you mean '--out'?");
+    check("morph a.off b.ply c.ply", "'c.ply' is one word too many");
+    check("morph a.off b.ply --frames 2 --out m_.ply --frames 3", "--frames is given more than once");
+    check("help meshs", "there is no help on 'meshs'; did you mean 'meshes'?");
+    check("", "a command is missing");
+    check("morph a.off b.ply --out folder.glb", "folder.glb: is a folder");
+    check("morph a.off b.ply --out .", ".: is a folder");
     CHECK((!fs::exists(folder / "made") || fs::is_empty(folder / "made")));
 }
