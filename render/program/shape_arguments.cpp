@@ -6,7 +6,7 @@ namespace automorph::program {
 namespace {
 
 void add_shape_options(CLI::App& command, std::filesystem::path& out, ShapeOptions& options) {
-    command.add_option("OUT", out, "Mesh file to write")->type_name("FILE")->required();
+    command.add_option("--out,OUT", out, "Mesh file to write")->type_name("FILE")->required();
     command.add_option("--triangles", options.triangles, "How many, about")
         ->check(CLI::Range(64, 10'000'000))
         ->capture_default_str();
