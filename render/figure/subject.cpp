@@ -82,7 +82,7 @@ Points turned(const Points& V, const Eigen::RowVector3d& centre, const Eigen::Ve
 }
 
 Subject::Subject(const Shooting& shooting, const Points& V, const Triangles& F)
-    : shooting_(shooting), scene_({.embree_config = shooting.options.embree_config, .refit = false}) {
+    : shooting_(shooting), scene_({.embree_config = shooting.options.embree_config}) {
     render::MeshOptions surface;
     surface.normals = shooting.picture.normals;
     surface.material = material_of(shooting.picture, shooting.width);

@@ -126,8 +126,10 @@ struct EmbreeScene::State {
     std::vector<unsigned> time_steps;     // by mesh number
     std::mutex mutex;                     // builds report errors from any thread
     std::string error;                    // the first one since the last check
-    bool refit = false;
+    bool refit = false;                   // whether the tree is one that can be refitted
     bool changed = true;
+
+    void prepare(bool refits);
 
     ~State() {
         if (scene != nullptr) rtcReleaseScene(scene);
@@ -142,13 +144,12 @@ struct EmbreeScene::State {
     }
 };
 
-EmbreeScene::EmbreeScene(const Options& options) : state_(std::make_unique<State>()) {
-    check_config(options.config);
+EmbreeScene::EmbreeScene(const std::string& config) : state_(std::make_unique<State>()) {
+    check_config(config);
     State& state = *state_;
-    state.refit = options.refit;
-    state.device = rtcNewDevice(options.config.c_str());
+    state.device = rtcNewDevice(config.c_str());
     if (state.device == nullptr) {
-        throw Error(fmt::format("Embree cannot make a device with config \"{}\": {}", options.config,
+        throw Error(fmt::format("Embree cannot make a device with config \"{}\": {}", config,
                                 name(rtcGetDeviceError(nullptr))));
     }
     rtcSetDeviceErrorFunction(
@@ -161,11 +162,6 @@ EmbreeScene::EmbreeScene(const Options& options) : state_(std::make_unique<State
         },
         &state);
     state.scene = rtcNewScene(state.device);
-    if (options.refit) {
-        // Only trees of low quality have one level per mesh, which is what is refitted.
-        rtcSetSceneFlags(state.scene, RTC_SCENE_FLAG_DYNAMIC);
-        rtcSetSceneBuildQuality(state.scene, RTC_BUILD_QUALITY_LOW);
-    }
     state.check("make a scene");
 }
 
@@ -208,9 +204,24 @@ void EmbreeScene::moved(std::uint32_t id) {
     state.check("move a mesh");
 }
 
-void EmbreeScene::commit() {
+// Sets which kind of tree the next commit makes.
+void EmbreeScene::State::prepare(bool refits) {
+    if (refits == refit) return;
+    refit = refits;
+    // Only trees of low quality have one level per mesh, which is what is refitted.
+    rtcSetSceneFlags(scene, refits ? RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_NONE);
+    rtcSetSceneBuildQuality(scene, refits ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM);
+    for (RTCGeometry geometry : geometries) {
+        if (geometry == nullptr) continue;
+        rtcSetGeometryBuildQuality(geometry, refits ? RTC_BUILD_QUALITY_REFIT : RTC_BUILD_QUALITY_MEDIUM);
+        rtcCommitGeometry(geometry);
+    }
+}
+
+void EmbreeScene::commit(const CommitOptions& options) {
     State& state = *state_;
     if (!state.changed) return;
+    state.prepare(options.refit);
     rtcCommitScene(state.scene);
     state.check("build the tree");
     state.changed = false;

@@ -32,17 +32,17 @@ struct RayPacket {
     std::size_t count = 0;  ///< of rays that are set, at least 1
 };
 
+struct CommitOptions {
+    bool refit = false;  ///< makes a tree that keeps its order when vertices move, if it is not the first
+};
+
 /// The door to Embree (3 and 4): only its source includes Embree's headers.
 class EmbreeScene {
 public:
-    struct Options {
-        std::string config;  ///< for the device, e.g. "isa=sse4.2"
-        bool refit = false;  ///< refit the tree when vertices move
-    };
-
+    /// @param config  for the device, e.g. "isa=sse4.2"
     /// @throws ConfigError if the config names an instruction set that does not exist
     /// @throws Error with Embree's message
-    explicit EmbreeScene(const Options& options);
+    explicit EmbreeScene(const std::string& config);
     ~EmbreeScene();
 
     /// Sets mesh number `id`, whose arrays must stay where they are while this object lives.
@@ -53,7 +53,7 @@ public:
     void moved(std::uint32_t id);
 
     /// Builds or refits the tree if anything changed, with the threads of the calling TBB arena.
-    void commit();
+    void commit(const CommitOptions& options = {});
 
     /// First hit in (0, far). @pre traceable(ray)
     std::optional<Hit> intersect(const Ray& ray, float far) const;

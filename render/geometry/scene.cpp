@@ -7,7 +7,7 @@
 namespace automorph::render {
 
 Scene::Scene(const SceneOptions& options)
-    : embree_(std::make_unique<EmbreeScene>(EmbreeScene::Options{options.embree_config, options.refit})) {}
+    : embree_(std::make_unique<EmbreeScene>(options.embree_config)), update_(options.moved) {}
 Scene::~Scene() = default;
 Scene::Scene(Scene&&) noexcept = default;
 Scene& Scene::operator=(Scene&&) noexcept = default;
@@ -50,8 +50,11 @@ void Scene::set_material(int mesh, const Material& material) {
     materials_[static_cast<std::size_t>(mesh)] = material;
 }
 
-void Scene::commit() {
-    embree_->commit();
+void Scene::commit(double rays) {
+    double triangles = 0.0;
+    for (const TriangleMesh& mesh : meshes_) triangles += mesh.triangle_count();
+    const bool few = rays < kRaysWorthBuilding * triangles;
+    embree_->commit({.refit = update_ == TreeUpdate::Refit || (update_ == TreeUpdate::Cheaper && few)});
 }
 
 }  // namespace automorph::render

@@ -16,13 +16,24 @@ namespace automorph::render {
 
 class EmbreeScene;
 
+/// How the tree in which rays find triangles follows moved vertices. A refitted tree keeps the order of the
+/// one before: it is there ten times as soon, and rays are up to 10 % slower in it. Which of two faces in one
+/// place a ray meets may then depend on the frames before.
+enum class TreeUpdate {
+    Build,   ///< anew
+    Refit,   ///< always
+    Cheaper  ///< refits for pictures that take fewer rays per triangle than kRaysWorthBuilding
+};
+
+/// Above so many rays per triangle a tree built anew pays: measured by `./run bench render moving`,
+/// README.md.
+inline constexpr double kRaysWorthBuilding = 10.0;
+
 struct SceneOptions {
     /// Passed to Embree's device. "isa=sse4.2" gives the same bits on every x86-64 machine (goldens need it);
     /// empty takes the best instruction set there is.
     std::string embree_config;
-    /// After move_mesh, refit the tree instead of building it anew: some 16 times quicker, rays 5 to 10 %
-    /// slower.
-    bool refit = false;
+    TreeUpdate moved = TreeUpdate::Build;  ///< what is done after move_mesh()
 };
 
 struct MeshOptions {
@@ -77,8 +88,9 @@ public:
     const Material& material(int index) const { return materials_[static_cast<std::size_t>(index)]; }
 
     /// Brings Embree's tree up to date; render() calls it.
+    /// @param rays  that will be traced in it, for TreeUpdate::Cheaper
     /// @throws Error with Embree's message when the device or the tree cannot be made
-    void commit();
+    void commit(double rays);
 
     const EmbreeScene& embree() const { return *embree_; }
 
@@ -86,6 +98,7 @@ private:
     std::vector<TriangleMesh> meshes_;
     std::vector<Material> materials_;
     std::unique_ptr<EmbreeScene> embree_;
+    TreeUpdate update_;
 };
 
 }  // namespace automorph::render

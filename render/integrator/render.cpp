@@ -54,6 +54,8 @@ private:
     unsigned before_;
 };
 
+constexpr double kRaysPerSample = 3.0;  // about, with shadow rays; decides only how the tree is updated
+
 struct Counts {
     std::uint64_t samples = 0, bad = 0, rays = 0;
 };
@@ -289,7 +291,7 @@ RenderResult render(Scene& scene, const Camera& camera, const RenderOptions& opt
     RenderResult result;
 
     const auto work = [&] {
-        scene.commit();
+        scene.commit(static_cast<double>(options.width) * options.height * options.spp * kRaysPerSample);
         const auto start = std::chrono::steady_clock::now();
         const PathTracer tracer(scene, view, options);
         Film film(scene, tracer, view, options);

@@ -8,6 +8,7 @@ namespace automorph::render {
 LightSet::LightSet(const std::vector<RectangleLight>& rectangles, const std::vector<SphereLight>& spheres,
                    const Sky& sky)
     : rectangles_(rectangles),
+      shapes_(rectangles.begin(), rectangles.end()),
       spheres_(spheres),
       map_(sky.map && sky.map->power() > 0.0f ? sky.map.get() : nullptr),
       size_(rectangles.size() + spheres.size() + (map_ != nullptr ? 1 : 0)) {}
@@ -74,7 +75,7 @@ std::optional<LightSample> LightSet::sample_any(const LitPoint& point, float cho
     }
     std::optional<LightSample> result;
     if (chosen < rectangles_.size()) {
-        result = render::sample(rectangles_[chosen], point.position, u, v);
+        result = render::sample(rectangles_[chosen], shapes_[chosen], point.position, u, v);
     } else if (chosen - rectangles_.size() < spheres_.size()) {
         result = render::sample(spheres_[chosen - rectangles_.size()], point.position, u, v);
     } else {

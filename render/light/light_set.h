@@ -34,7 +34,7 @@ public:
     std::optional<LightSample> sample(const LitPoint& point, float choice, float u, float v) const {
         // The usual case, worth a short cut.
         if (size_ == 1 && !rectangles_.empty())
-            return render::sample(rectangles_.front(), point.position, u, v);
+            return render::sample(rectangles_.front(), shapes_.front(), point.position, u, v);
         return sample_any(point, choice, u, v);
     }
 
@@ -44,14 +44,14 @@ public:
     Color met(const LitPoint& origin, const Vec3& direction, float far, const Weight& weight) const {
         Color sum = Color::Zero();
         std::size_t index = 0;
-        const auto add = [&](const auto& light) {
-            const std::optional<LightHit> hit = intersect(light, origin.position, direction);
+        const auto add = [&](const auto& light, const std::optional<LightHit>& hit) {
             if (hit && hit->distance < far)
                 sum += weight(light, probability(index, origin) * hit->pdf) * light.radiance;
             ++index;
         };
-        for (const RectangleLight& light : rectangles_) add(light);
-        for (const SphereLight& light : spheres_) add(light);
+        for (std::size_t i = 0; i < rectangles_.size(); ++i)
+            add(rectangles_[i], intersect(rectangles_[i], shapes_[i], origin.position, direction));
+        for (const SphereLight& light : spheres_) add(light, intersect(light, origin.position, direction));
         return sum;
     }
 
@@ -73,6 +73,7 @@ private:
     float shared_probability(std::size_t light, const LitPoint& point) const;
 
     const std::vector<RectangleLight>& rectangles_;
+    std::vector<RectangleShape> shapes_;  ///< of the rectangles
     const std::vector<SphereLight>& spheres_;
     const EquirectangularMap* map_;  ///< null without one
     std::size_t size_;

@@ -64,7 +64,9 @@ class PixelSampler {
 public:
     PixelSampler(std::uint64_t seed, std::uint32_t frame, std::uint32_t x, std::uint32_t y)
         : seed_(mix_bits(mix_bits(mix_bits(seed + 0x9e3779b97f4a7c15ull) + frame) +
-                         ((static_cast<std::uint64_t>(y) << 32) | x))) {}
+                         ((static_cast<std::uint64_t>(y) << 32) | x))) {
+        for (std::uint32_t pair = 0; pair < kKept; ++pair) kept_[pair] = make_seeds(pair);
+    }
 
     /// Dimensions 2 * pair and 2 * pair + 1 of sample `index`.
     Sample2 operator()(std::uint32_t index, std::uint32_t pair) const {
@@ -86,7 +88,8 @@ private:
         std::uint32_t order, first, second;
     };
 
-    Seeds seeds_of(std::uint32_t pair) const {
+    Seeds seeds_of(std::uint32_t pair) const { return pair < kKept ? kept_[pair] : make_seeds(pair); }
+    Seeds make_seeds(std::uint32_t pair) const {
         const std::uint64_t a = mix_bits(seed_ + (pair + 1) * 0x9e3779b97f4a7c15ull);
         const std::uint64_t b = mix_bits(a + 0x632be59bd9b4e019ull);
         return {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(a >> 32),
@@ -106,7 +109,9 @@ private:
         return reverse_bits(owen_scramble_reversed(sobol_second_reversed(shuffled), seeds.second));
     }
 
+    static constexpr std::size_t kKept = 7;  // pairs that most samples of a pixel take: place, two vertices
     std::uint64_t seed_;
+    std::array<Seeds, kKept> kept_;
 };
 
 }  // namespace automorph::render

@@ -48,7 +48,7 @@ Stage::Stage(Shape shape, const std::vector<Moment>& moments, const StageOptions
     : shape_(std::move(shape)),
       options_(options),
       to_world_(world_axes(options)),
-      scene_({.embree_config = options.embree_config, .refit = false}) {
+      scene_({.embree_config = options.embree_config}) {
     check(options);
     if (moments.empty()) throw ConfigError("turntable: there are no frames");
     std::set<double> distinct;

@@ -55,6 +55,23 @@ const render::Image& bench_sky() {
     return sky;
 }
 
+Mesh torus(int around, int across) {
+    constexpr double kTurn = 2.0 * 3.14159265358979323846;
+    Mesh mesh;
+    mesh.V.resize(around * across, 3);
+    mesh.F.resize(2 * around * across, 3);
+    for (int i = 0; i < around; ++i) {
+        for (int j = 0; j < across; ++j) {
+            const double a = kTurn * i / around, b = kTurn * j / across, r = 0.7 + 0.3 * std::cos(b);
+            mesh.V.row(i * across + j) << r * std::cos(a), r * std::sin(a), 0.3 * std::sin(b);
+            const int next = (i + 1) % around * across, up = (j + 1) % across;
+            mesh.F.row(2 * (i * across + j)) << i * across + j, next + j, next + up;
+            mesh.F.row(2 * (i * across + j) + 1) << i * across + j, next + up, i * across + up;
+        }
+    }
+    return mesh;
+}
+
 render::Scene make_scene(const BenchMeshes& meshes, const BenchScene& what) {
     render::Scene scene;
     render::MeshOptions options;

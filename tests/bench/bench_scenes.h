@@ -42,6 +42,9 @@ render::Camera bench_camera();
 /// day_sky() of the tests, made once.
 const render::Image& bench_sky();
 
+/// A torus about the z-axis, of two triangles per cell.
+Mesh torus(int around, int across);
+
 render::Scene make_scene(const BenchMeshes& meshes, const BenchScene& scene);
 
 }  // namespace automorph::bench

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <string>
 #include <vector>
 
 #include "morph/mesh/admit.h"
@@ -22,7 +24,7 @@ double cpu_now() {
 
 /// A scene whose tree is either built anew for each frame or refitted.
 struct Moving {
-    explicit Moving(bool refit) : scene({.embree_config = "", .refit = refit}) {}
+    explicit Moving(render::TreeUpdate how) : scene({.embree_config = "", .moved = how}) {}
 
     render::Scene scene;
     double update = 0.0;   ///< CPU seconds of the last frame's tree
@@ -41,7 +43,7 @@ void show(Moving& moving, const Points& V) {
     for (int k = 0; k < kUpdates; ++k) {
         moving.scene.move_mesh(0, V);
         const double start = cpu_now();
-        moving.scene.commit();
+        moving.scene.commit(0.0);
         best = std::min(best, cpu_now() - start);
     }
     moving.update = best;
@@ -54,37 +56,55 @@ void show(Moving& moving, const Points& V) {
     moving.per_ray = best;
 }
 
-}  // namespace
-
-void moving_bench() {
-    constexpr int kFrames = 8;
-    const InputMesh a = admit_mesh(ellipsoid({1, 0.8, 0.5}, {.triangles = 8000}), "ellipsoid"),
-                    b = admit_mesh(star({}, {.triangles = 8000}), "star");
-    const Morph m = morph(a, b);
-    Moving built(false), refitted(true);
+/// Prints a line per frame.
+void measure(const std::string& name, const Triangles& F, const std::vector<Points>& frames) {
+    Moving built(render::TreeUpdate::Build), refitted(render::TreeUpdate::Refit);
     for (Moving* moving : {&built, &refitted}) {
-        moving->scene.add_mesh(m.frame(0.0), m.triangles(), {});
+        moving->scene.add_mesh(frames.front(), F, {});
         moving->scene.lights.push_back(bench_light());
         moving->scene.sky.radiance.setConstant(kSkyRadiance);
     }
-    const auto triangles = static_cast<double>(m.triangles().rows());
-    fmt::print(
-        "moving   {} triangles from ellipsoid to star:   tree built    refitted   rays slower   worth "
-        "building from\n",
-        m.triangles().rows());
-    for (int frame = 0; frame <= kFrames; ++frame) {
-        const double alpha = static_cast<double>(frame) / kFrames;
-        const Points V = m.frame(alpha);
-        show(built, V);
-        show(refitted, V);
+    fmt::print("moving   {}, {} triangles: tree built, refitted, rays slower, building pays from\n", name,
+               F.rows());
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        show(built, frames[i]);
+        show(refitted, frames[i]);
         const double saved = built.update - refitted.update, lost = refitted.per_ray - built.per_ray;
-        fmt::print(
-            "         alpha {:.3f}                                  {:7.1f} ms  {:7.1f} ms   {:8.1f} %   "
-            "{}\n",
-            alpha, 1e3 * built.update, 1e3 * refitted.update, 100 * lost / built.per_ray,
-            lost > 0.0 ? fmt::format("{:.0f} rays per triangle", saved / lost / triangles) : "never");
+        const double worth = saved / lost / static_cast<double>(F.rows());
+        fmt::print("         {:5.3f} {:8.1f} ms {:7.1f} ms {:7.1f} %   {}\n",
+                   static_cast<double>(i) / static_cast<double>(frames.size() - 1), 1e3 * built.update,
+                   1e3 * refitted.update, 100 * lost / built.per_ray,
+                   lost > 0.0 ? fmt::format("{:.0f} rays per triangle", worth) : "never");
         std::fflush(stdout);
     }
+}
+
+/// Turned about the z-axis the further the higher, by `turns` revolutions from top to bottom.
+Points twisted(const Points& V, double turns) {
+    const double z0 = V.col(2).minCoeff(), height = V.col(2).maxCoeff() - z0;
+    Points result = V;
+    for (Eigen::Index i = 0; i < V.rows(); ++i) {
+        const double angle = 2.0 * 3.14159265358979323846 * turns * (V(i, 2) - z0) / height;
+        result(i, 0) = std::cos(angle) * V(i, 0) - std::sin(angle) * V(i, 1);
+        result(i, 1) = std::sin(angle) * V(i, 0) + std::cos(angle) * V(i, 1);
+    }
+    return result;
+}
+
+}  // namespace
+
+void moving_bench() {
+    const InputMesh a = admit_mesh(ellipsoid({1, 0.8, 0.5}, {.triangles = 8000}), "ellipsoid"),
+                    b = admit_mesh(star({}, {.triangles = 8000}), "star");
+    const Morph m = morph(a, b);
+    std::vector<Points> frames;
+    for (const double alpha : {0.0, 0.25, 0.5, 0.75, 1.0}) frames.push_back(m.frame(alpha));
+    measure("ellipsoid to star", m.triangles(), frames);
+
+    const Mesh mesh = torus(1000, 500);
+    frames.clear();
+    for (const double turns : {0.0, 0.25, 0.5}) frames.push_back(twisted(mesh.V, turns));
+    measure("torus twisted by half a revolution", mesh.F, frames);
 }
 
 }  // namespace automorph::bench

@@ -12,7 +12,7 @@ using namespace automorph::render;
 TEST_CASE("rays find the first triangle and its distance, shadow rays anything before their end") {
     const Shape low = square(1.0, 0.0), high = square(0.5, 1.0);
     const TriangleMesh a(low.V, low.F, Normals::Flat), b(high.V, high.F, Normals::Flat);
-    EmbreeScene scene({});
+    EmbreeScene scene("");
     scene.attach(0, a);
     scene.attach(5, b);
     scene.commit();
@@ -37,7 +37,7 @@ TEST_CASE("a packet of rays meets what the single rays meet") {
     const Shape sphere = icosphere(3);
     const TriangleMesh mesh(sphere.V, sphere.F, Normals::Flat);
     for (const char* config : {"", "isa=sse4.2"}) {
-        EmbreeScene scene({config, false});
+        EmbreeScene scene(config);
         scene.attach(0, mesh);
         scene.commit();
         int met = 0;
@@ -66,7 +66,7 @@ TEST_CASE("a packet of rays meets what the single rays meet") {
 TEST_CASE("Embree's errors come as exceptions with its message") {
     const Shape cube = box();
     const TriangleMesh mesh(cube.V, cube.F, Normals::Flat);
-    EmbreeScene scene({});
+    EmbreeScene scene("");
     scene.attach(3, mesh);
     try {
         scene.attach(3, mesh);
@@ -80,9 +80,9 @@ TEST_CASE("Embree's errors come as exceptions with its message") {
 }
 
 TEST_CASE("an instruction set that does not exist is refused, since Embree would ignore it") {
-    CHECK_THROWS_AS(EmbreeScene({"isa=sse4", false}), ConfigError);
-    CHECK_THROWS_AS(EmbreeScene({"verbose=0,isa=", false}), ConfigError);
-    CHECK_NOTHROW(EmbreeScene({"verbose=0,isa=sse4.2,threads=1", false}));
+    CHECK_THROWS_AS(EmbreeScene("isa=sse4"), ConfigError);
+    CHECK_THROWS_AS(EmbreeScene("verbose=0,isa="), ConfigError);
+    CHECK_NOTHROW(EmbreeScene("verbose=0,isa=sse4.2,threads=1"));
 }
 
 TEST_CASE("smooth normals are weighted by area, so that needles do not count") {

@@ -117,9 +117,9 @@ TEST_CASE("moved vertices give the picture of a scene made with them") {
     const RenderOptions options = options_of(40, 30, 4);
     Scene fresh = scene_of(moved, {});
     const Image expected = render::render(fresh, {}, options).image;
-    for (bool refit : {false, true}) {
+    for (TreeUpdate update : {TreeUpdate::Build, TreeUpdate::Refit, TreeUpdate::Cheaper}) {
         SceneOptions how;
-        how.refit = refit;
+        how.moved = update;
         Scene scene = scene_of(sphere.V, how);
         CHECK_FALSE(same_bits(render::render(scene, {}, options).image, expected));
         scene.move_mesh(0, moved);
@@ -127,6 +127,13 @@ TEST_CASE("moved vertices give the picture of a scene made with them") {
         scene.move_mesh(0, sphere.V);
         scene.move_mesh(0, moved);
         CHECK(same_bits(render::render(scene, {}, options).image, expected));
+        // Few and many rays per triangle in turns: the kind of tree changes.
+        for (const int spp : {1, 64, 1}) {
+            const RenderOptions other = options_of(40, 30, spp);
+            scene.move_mesh(0, sphere.V);
+            scene.move_mesh(0, moved);
+            CHECK(same_bits(render::render(scene, {}, other).image, render::render(fresh, {}, other).image));
+        }
     }
 }
 
