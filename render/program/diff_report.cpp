@@ -36,7 +36,7 @@ std::string range(const char* axis, int first, int extent) {
 
 /// "x 16-23, y 40-47, blue"
 std::string place_text(const Place& place, const std::vector<std::string>& channels) {
-    if (place.width == 0) return "nowhere";
+    if (place.width == 0) return "";
     const auto channel = static_cast<std::size_t>(place.channel);
     return fmt::format("{}, {}, {}", range("x", place.x, place.width), range("y", place.y, place.height),
                        channel < channels.size() ? channels[channel] : "?");
