@@ -59,10 +59,14 @@ void run(const MorphArguments& arguments, const Surroundings& surroundings) {
     };
     const Morph result = morph(source, target, options);
     surroundings.progress("morph", 1.0);
-    if (!surroundings.quiet)
-        fmt::print("{}{}", meshes_summary(result.report()), morph_summary(result.report()));
+    // Frames that somebody is going to see are looked at.
+    const bool seen = !arguments.out.empty() || !arguments.report.empty();
+    const Report report = seen ? report_with_frames(result, arguments.interpolation) : result.report();
+    if (!surroundings.quiet) fmt::print("{}{}", meshes_summary(report), morph_summary(report));
 
-    for (const std::string& doubt : doubts(result.report())) surroundings.warn(doubt);
+    for (const std::string& doubt : doubts(report)) surroundings.warn(doubt);
+    for (std::size_t k = result.report().notes.size(); k < report.notes.size(); ++k)
+        surroundings.warn(report.notes[k]);
 
     std::string written;
     if (!arguments.out.empty()) written += write_morph(arguments, result, surroundings.progress);
@@ -71,7 +75,7 @@ void run(const MorphArguments& arguments, const Surroundings& surroundings) {
         written += arguments.correspondence.string() + "\n";
     }
     if (!arguments.report.empty()) {
-        write_file(arguments.report, report_json(report_with_frames(result, arguments.interpolation)));
+        write_file(arguments.report, report_json(report));
         written += arguments.report.string() + "\n";
     }
     if (surroundings.quiet) return;
