@@ -69,7 +69,14 @@ void run(const MorphArguments& arguments, const Surroundings& surroundings) {
     };
     const Morph result = morph(source, target, options);
     surroundings.progress("morph", 1.0);
-    print_morph(result.report(), surroundings);
+    // Frames that somebody is going to see are looked at.
+    const bool seen = !arguments.out.empty() || !arguments.report.empty();
+    const Report report = seen ? report_with_frames(result, arguments.interpolation) : result.report();
+    print_morph(report, surroundings);
+    if (surroundings.quiet) {
+        for (std::size_t k = result.report().notes.size(); k < report.notes.size(); ++k)
+            surroundings.warn(report.notes[k]);
+    }
 
     std::string written;
     if (!arguments.out.empty()) written += write_morph(arguments, result, surroundings.progress);
@@ -78,7 +85,7 @@ void run(const MorphArguments& arguments, const Surroundings& surroundings) {
         written += arguments.correspondence.string() + "\n";
     }
     if (!arguments.report.empty()) {
-        write_file(arguments.report, report_json(report_with_frames(result, arguments.interpolation)));
+        write_file(arguments.report, report_json(report));
         written += arguments.report.string() + "\n";
     }
     if (surroundings.quiet) return;

@@ -48,6 +48,11 @@ void add_maps(std::string& text, const Report& report) {
             "map           {}: {}{}, {} flipped, 99 % of the surface shrunk less than {:.2g} times\n", map.of,
             map.weights, map.reason.empty() ? "" : " (" + map.reason + ")", map.flipped, 1 / map.p01);
     }
+    if (!report.alignment.limb_matches.empty()) {
+        text += fmt::format("limbs         {} and {} found (arms, legs, horns), {} laid on one another\n",
+                            report.alignment.limbs_source, report.alignment.limbs_target,
+                            report.alignment.limb_matches.size());
+    }
     for (const FeatureReport& features : report.features) {
         text += fmt::format("features      {} candidates, {} matched, {} laid on one another\n",
                             features.candidates_source.size(), features.matches.size(), features.in_place);
