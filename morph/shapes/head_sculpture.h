@@ -68,7 +68,9 @@ S neck(const Vec<S>& p, const Vec<S>& q) {
     d = blend(d, limb(p, {0, -12.0, 0.7}, {0, -20.0, -0.2}, 1.0, 1.0), 2.0);
     d = swell(d, p, {0, -13.6, 2.2}, {1.6, 2.0, 1.8}, 0.14);
     // trapezius
-    return blend(d, limb(q, {1.8, 0.0, -4.4}, {4.4, -21.0, -6.6}, 1.4, 2.2), 3.0);
+    d = blend(d, limb(q, {1.8, 0.0, -4.4}, {4.4, -21.0, -6.6}, 1.4, 2.2), 3.0);
+    // The bust stands on an oval.
+    return blend(d, ellipsoid(p, {0, -18.6, -4.0}, {5.9, 4.4, 6.2}), 2.0);
 }
 
 // ---- eyes ------------------------------------------------------------------------------------------
@@ -147,11 +149,11 @@ S with_mouth(S d, const Vec<S>& p, const Vec<S>& q) {
     const S bottom = meet - 0.08 - wide * 0.92;
     // Heights above the face: t is 0 where the lips meet, 1 at the border.
     const S tu = (p.y - meet) / (top - meet), tl = (meet - p.y) / (meet - bottom);
-    const S upper = ramp(tu, 1.55, 0.45) * (0.20 + 0.12 * ramp(tu, 0.0, 0.5)),
-            lower = ramp(tl, 1.5, 0.5) * (0.20 + 0.20 * ramp(tl, 0.0, 0.5));
+    const S upper = ramp(tu, 1.6, 0.4) * (0.13 + 0.14 * ramp(tu, 0.0, 0.6)),
+            lower = ramp(tl, 1.6, 0.4) * (0.13 + 0.24 * ramp(tl, 0.0, 0.6));
     const S high = value_of(tu) > 0 ? upper : lower;
     const S slit = bump(S((p.y - meet) * (1.0 / 0.24))) * ramp(s, 1.12, 0.8);
-    d = d - (in * high - 0.2 * slit) * ramp(p.z, 6.5, 8.0);
+    d = d - (in * high - 0.16 * slit) * ramp(p.z, 6.5, 8.0);
     // philtrum and the furrow below
     d = carve(d, limb(p, {0, -5.0, 10.25}, {0, -6.1, 10.35}, 0.24, 0.34), 0.4);
     d = swell(d, p, {0, -8.7, 9.2}, {2.6, 0.95, 1.6}, -0.28);
@@ -195,8 +197,8 @@ S with_ears(S d, const Vec<S>& q) {
     S ear = ellipsoid(Vec<S>{lean, qb, qa}, {0, 0, 0}, {0.26, 1.0, 1.0});
     // back of the bowl
     ear = blend(ear, ellipsoid(e, {-0.15, -0.4, 0.05}, {0.5, 1.5, 1.15}), 0.4);
-    ear = blend(ear, strand(e, helix), 0.16);
-    ear = blend(ear, strand(e, antihelix), 0.2);
+    ear = blend(ear, strand(e, helix), 0.26);
+    ear = blend(ear, strand(e, antihelix), 0.32);
     ear = blend(ear, strand(e, crus), 0.18);
     // lobe, antitragus, tragus
     ear = blend(ear, ellipsoid(e, {0.25, -2.35, 0.15}, {0.28, 0.75, 0.72}), 0.35);
