@@ -106,8 +106,8 @@ S with_eyes(S d, const Vec<S>& q) {
     const S upper = line + 0.64 * arch * (1.0 - 0.22 * s), lower = line - 0.48 * arch * (1.0 + 0.22 * s);
     const S opening = -blend(S(upper - y), S(y - lower), 0.08) * 0.85;
     const S front = kEye.z - q.z + 0.2;  // the back half stays
-    d = carve(d, S(-blend(S(-opening), S(-front), 0.2)), 0.09);
-    d = blend(d, ellipsoid(q, kEye, kEyeball), 0.12);
+    d = carve(d, S(-blend(S(-opening), S(-front), 0.2)), 0.12);
+    d = blend(d, ellipsoid(q, kEye, kEyeball), 0.17);
     // caruncle
     return blend(d, ellipsoid(q, {1.85, -0.08, 7.55}, {0.25, 0.14, 0.25}), 0.15);
 }
@@ -130,9 +130,9 @@ S with_nose(S d, const Vec<S>& p, const Vec<S>& q) {
     n = blend(n, ellipsoid(q, {0.26, -3.65, 10.68}, {0.56, 0.62, 0.76}), 0.6);
     n = blend(n, strand(q, wing), 0.5);
     // columella
-    n = blend(n, limb(p, {0, -4.05, 10.8}, {0, -4.7, 9.7}, 0.34, 0.40), 0.4);
+    n = blend(n, limb(p, {0, -4.05, 10.8}, {0, -4.85, 9.5}, 0.34, 0.44), 0.45);
     d = blend(d, n, 0.8);
-    return carve(d, ellipsoid(q, {0.60, -4.62, 10.0}, {0.27, 0.46, 0.55}, hole), 0.14);
+    return carve(d, ellipsoid(q, {0.70, -4.62, 10.0}, {0.26, 0.46, 0.55}, hole), 0.16);
 }
 
 // ---- mouth -----------------------------------------------------------------------------------------
@@ -178,8 +178,8 @@ S with_ears(S d, const Vec<S>& q) {
                                {{0.6, 1.4, -1.75}, 0.27},
                                {{0.6, 0.2, -1.75}, 0.25},
                                {{0.48, -0.9, -1.38}, 0.23},
-                               {{0.30, -1.8, -0.95}, 0.20},
-                               {{0.22, -2.5, -0.4}, 0.16}});
+                               {{0.30, -1.8, -0.95}, 0.25},
+                               {{0.22, -2.45, -0.4}, 0.28}});
     static const Strand antihelix({{{0.2, -1.5, 0.35}, 0.22},
                                    {{0.36, -1.4, -0.2}, 0.28},
                                    {{0.45, -0.8, -0.85}, 0.27},
@@ -223,7 +223,7 @@ S head_sculpture(const Vec<S>& p) {
     d = with_mouth(d, p, q);
     d = with_eyes(d, q);
     d = with_ears(d, q);
-    return carve(d, S(p.y + 17.0), 1.2);
+    return carve(d, S(p.y + 17.0), 2.4);
 }
 
 }  // namespace automorph::sculpt
