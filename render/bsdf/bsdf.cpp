@@ -105,6 +105,7 @@ const PreparedMaterial& Bsdf::diffuse_material() {
 
 Bsdf::Shares Bsdf::shares() const {
     const Material& m = prepared_->material;
+    if (m.metallic == 1.0f) return {.metal = 1.0f, .glass = 0.0f, .body = 0.0f, .coat = 0.0f};
     Shares shares;
     shares.metal = m.metallic;
     shares.glass = (1.0f - m.metallic) * m.transmission;
@@ -166,6 +167,7 @@ BsdfValue Bsdf::glass(const Vec3& wi) const {
 
 BsdfValue Bsdf::evaluate_mixture(const Vec3& wi) const {
     const Shares share = shares();
+    if (share.metal == 1.0f) return metal(wi);
     BsdfValue sum;
     const auto add = [&](float weight, const BsdfValue& value) {
         sum.f_cos += weight * value.f_cos;

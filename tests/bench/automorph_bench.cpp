@@ -33,7 +33,7 @@ constexpr const char* kHelp =
     "                                           of build/meshes\n"
     "automorph_bench render [PART]...           what the path tracer costs, beside the smallest path tracer "
     "and Cycles;\n"
-    "                                           parts: rays, threads, memory, moving, start, noise\n"
+    "                                           parts: rays, threads, memory, moving, start, noise, denoise\n"
     "automorph_bench cycles DIR [--spp N] [--size WxH] [S1|S1s|S2|S3]...\n"
     "                                           our pictures against those of Cycles, which are kept in "
     "DIR\n";
