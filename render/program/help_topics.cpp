@@ -148,8 +148,10 @@ features         only with --alignment features: points of high curvature found,
                  taken for the same, and brought to one place
 overlay          the merged mesh: the vertices of both, and where their edges
                  cross
+openings         triangles that filled eyes, mouth and so on, taken out again
 note             what you should know
 time             in all and of each step, and the most memory used
+written          the files
 
 --report r.json has the same and more as numbers.
 )"};
@@ -160,7 +162,8 @@ constexpr HelpTopic kBlender{"blender", "A morph in Blender, three.js and viewer
 Blender: File > Import > glTF 2.0, then play. The animation takes 48 frames at
 24 per second (--seconds 2). Shapes stand upright; with --up z, world
 coordinates are those of your mesh files. The shape key "target" is the morph,
-the object's rotation and location its rigid part.
+the object's rotation and location its rigid part. Vertices that no triangle
+uses are left out by Blender.
 
 Debian 12's Blender 3.4 stops with "module 'numpy' has no attribute 'bool'" on
 any glTF file with normals. In the import dialog, set Shading to Smooth Shading.
