@@ -51,7 +51,8 @@ std::vector<Open3dPose> open3d_rotations(const std::vector<std::pair<Mesh, Mesh>
         write_mesh((folder.path / fmt::format("{}_a.ply", k)).string(), pairs[k].first);
         write_mesh((folder.path / fmt::format("{}_b.ply", k)).string(), pairs[k].second);
     }
-    if (!runs(fmt::format("{} '{}' '{}' >/dev/null", kPython, AUTOMORPH_BENCH_FOLDER "/open3d_registration.py", folder.path.string())))
+    if (!runs(fmt::format("{} '{}' '{}' >/dev/null", kPython,
+                          AUTOMORPH_BENCH_FOLDER "/open3d_registration.py", folder.path.string())))
         throw std::runtime_error("Open3D's registration failed");
     std::ifstream file(folder.path / "rotations.txt");
     std::vector<Open3dPose> poses(pairs.size());
