@@ -6,10 +6,8 @@
 #include "render/figure/subject.h"
 
 namespace automorph {
-namespace {
 
-/// The stage's place with the look's surface.
-PictureConfig combined(const StageConfig& stage, const LookConfig& look) {
+PictureConfig look_on_stage(const StageConfig& stage, const LookConfig& look) {
     PictureConfig picture = stage.picture;
     picture.albedo = look.picture.albedo;
     picture.material = look.picture.material;
@@ -17,8 +15,6 @@ PictureConfig combined(const StageConfig& stage, const LookConfig& look) {
     picture.normals = look.picture.normals;
     return picture;
 }
-
-}  // namespace
 
 void picture_looks(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
     const Stopwatch loading;
@@ -44,7 +40,7 @@ void picture_looks(const FigureConfig& config, const FigureOptions& options, Fig
         for (std::size_t j = 0; j < config.looks.size(); ++j) {
             if (!options.cells.has(j)) continue;
             const LookConfig& look = config.looks[j];
-            const PictureConfig picture = combined(stage, look);
+            const PictureConfig picture = look_on_stage(stage, look);
             const Shooting shooting{.picture = picture,
                                     .options = options,
                                     .camera = of_stage.camera,

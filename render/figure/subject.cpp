@@ -22,20 +22,6 @@ render::FramingOptions framing_options(const PictureConfig& picture, const Film&
     return options;
 }
 
-render::Material material_of(const PictureConfig& picture, int width) {
-    render::Material material;
-    material.base_color = color_of(picture.albedo);
-    material.metallic = static_cast<float>(picture.material.metallic);
-    material.roughness = static_cast<float>(picture.material.roughness);
-    material.specular = static_cast<float>(picture.material.specular);
-    material.transmission = static_cast<float>(picture.material.transmission);
-    material.ior = static_cast<float>(picture.material.ior);
-    // A figure made smaller looks the same.
-    material.wire_width = static_cast<float>(picture.wireframe.width * width / picture.width);
-    material.wire_color = color_of(picture.wireframe.color);
-    return material;
-}
-
 void add_lens(const LensConfig& lens, const render::Bounds& bounds, render::Camera& camera) {
     if (lens.radius == 0) return;
     const Eigen::Vector3d forward = (camera.target - camera.position).normalized();
@@ -79,6 +65,20 @@ Points turned(const Points& V, const Eigen::RowVector3d& centre, const Eigen::Ve
               double degrees) {
     const Eigen::Matrix3d R = rotation_matrix({axis, degrees});
     return ((V.rowwise() - centre) * R.transpose()).rowwise() + centre;
+}
+
+render::Material material_of(const PictureConfig& picture, int width) {
+    render::Material material;
+    material.base_color = color_of(picture.albedo);
+    material.metallic = static_cast<float>(picture.material.metallic);
+    material.roughness = static_cast<float>(picture.material.roughness);
+    material.specular = static_cast<float>(picture.material.specular);
+    material.transmission = static_cast<float>(picture.material.transmission);
+    material.ior = static_cast<float>(picture.material.ior);
+    // A figure made smaller looks the same.
+    material.wire_width = static_cast<float>(picture.wireframe.width * width / picture.width);
+    material.wire_color = color_of(picture.wireframe.color);
+    return material;
 }
 
 Subject::Subject(const Shooting& shooting, const Points& V, const Triangles& F)

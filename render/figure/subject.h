@@ -57,6 +57,9 @@ Shooting shooting_of(const PictureConfig& picture, const FigureOptions& options,
 /// Points turned about an axis through `centre`.
 Points turned(const Points& V, const Eigen::RowVector3d& centre, const Eigen::Vector3d& axis, double degrees);
 
+/// The surface of the config. @param width  pixels of the picture: the edges' width follows it
+render::Material material_of(const PictureConfig& picture, int width);
+
 /// A surface in the figure's light.
 class Subject {
 public:

@@ -8,6 +8,7 @@
 #include "tests/bench/cycles_bench.h"
 #include "tests/bench/limbs_bench.h"
 #include "tests/bench/pairs_bench.h"
+#include "tests/bench/power_bench.h"
 #include "tests/bench/registration_bench.h"
 #include "tests/bench/render_bench.h"
 
@@ -36,7 +37,11 @@ constexpr const char* kHelp =
     "                                           parts: rays, threads, memory, moving, start, noise, denoise\n"
     "automorph_bench cycles DIR [--spp N] [--size WxH] [S1|S1s|S2|S3]...\n"
     "                                           our pictures against those of Cycles, which are kept in "
-    "DIR\n";
+    "DIR\n"
+    "automorph_bench power [--pairs N] [--limit SPP] [FIGURE]...\n"
+    "                                           what the statistical comparison sees in the goldens of these "
+    "figures:\n"
+    "                                           deliberate changes, and N pairs of seeds (default 100)\n";
 
 }  // namespace
 
@@ -57,6 +62,8 @@ int main(int argc, char** argv) {
             return automorph::bench::render_bench({arguments.begin() + 1, arguments.end()});
         if (!arguments.empty() && arguments[0] == "cycles")
             return automorph::bench::cycles_bench({arguments.begin() + 1, arguments.end()});
+        if (!arguments.empty() && arguments[0] == "power")
+            return automorph::bench::power_bench({arguments.begin() + 1, arguments.end()});
         std::fputs(kHelp, arguments.empty() || arguments[0] == "help" ? stdout : stderr);
         return arguments.empty() || arguments[0] == "help" ? 0 : 2;
     } catch (const std::exception& error) {

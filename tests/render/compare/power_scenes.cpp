@@ -1,9 +1,6 @@
 #include "tests/render/compare/power_scenes.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
-#include <vector>
 
 #include "render/camera/framing.h"
 #include "render/integrator/render.h"
@@ -33,12 +30,7 @@ Parts make_parts() {
         V.row(i) *= 1.0 + 0.15 * std::sin(4.0 * p.x()) * std::sin(3.0 * p.y() + 1.0) * std::sin(5.0 * p.z());
     }
     const Triangles& F = parts.shape.F;
-    parts.normals = Points::Zero(V.rows(), 3);
-    for (Eigen::Index f = 0; f < F.rows(); ++f) {
-        const Eigen::Vector3d a = V.row(F(f, 0)), b = V.row(F(f, 1)), c = V.row(F(f, 2));
-        const Eigen::Vector3d normal = (b - a).cross(c - a);
-        for (int k = 0; k < 3; ++k) parts.normals.row(F(f, k)) += normal.transpose();
-    }
+    parts.normals = vertex_normals(V, F);
     const Eigen::RowVector3d seen(-0.25, -0.9, 0.35);
     (V.rowwise() - seen).rowwise().squaredNorm().minCoeff(&parts.vertex);
     while ((F.row(parts.triangle).array() != parts.vertex).all()) ++parts.triangle;
@@ -59,28 +51,21 @@ Material material_of(Body body) {
     return material;
 }
 
-Triangles rows_of(const Triangles& F, const std::vector<Eigen::Index>& kept) {
-    Triangles result(static_cast<Eigen::Index>(kept.size()), 3);
-    for (std::size_t i = 0; i < kept.size(); ++i) result.row(static_cast<Eigen::Index>(i)) = F.row(kept[i]);
-    return result;
-}
-
 void add_body(Scene& scene, Parts parts, Body body, Change change) {
     MeshOptions options;
     options.material = material_of(body);
     if (change == Change::Albedo) options.material.base_color *= 1.01f;
     if (change == Change::Normal) parts.normals.row(parts.vertex) *= -1.0;
     options.vertex_normals = parts.normals;
-    std::vector<Eigen::Index> kept, dark;
-    for (Eigen::Index f = 0; f < parts.shape.F.rows(); ++f) {
-        const bool at_vertex = (parts.shape.F.row(f).array() == parts.vertex).any();
-        if (change == Change::Ring && at_vertex) continue;
-        (change == Change::DarkTriangle && f == parts.triangle ? dark : kept).push_back(f);
+    Triangles F = parts.shape.F;
+    if (change == Change::Ring) F = without_ring(F, parts.vertex);
+    if (change == Change::DarkTriangle) {
+        MeshOptions darker = options;
+        darker.material.base_color *= 0.5f;
+        scene.add_mesh(parts.shape.V, F.row(parts.triangle), darker);
+        F.row(parts.triangle).setConstant(F(parts.triangle, 0));  // leaves its place to the darker one
     }
-    scene.add_mesh(parts.shape.V, rows_of(parts.shape.F, kept), options);
-    if (dark.empty()) return;
-    options.material.base_color *= 0.5f;
-    scene.add_mesh(parts.shape.V, rows_of(parts.shape.F, dark), options);
+    scene.add_mesh(parts.shape.V, F, options);
 }
 
 void add_coloured_ground(Scene& scene) {
@@ -94,37 +79,10 @@ void add_coloured_ground(Scene& scene) {
     scene.sky.radiance.setConstant(0.3f);
 }
 
-Camera turned(Camera camera, double degrees) {
-    const double angle = degrees * std::numbers::pi / 180.0;
-    const Eigen::Matrix3d about_z = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    camera.target = camera.position + about_z * (camera.target - camera.position);
-    return camera;
-}
-
 }  // namespace
 
 const char* name(Body body) {
     return body == Body::Clay ? "clay" : body == Body::Metal ? "metal" : "glass";
-}
-
-const char* name(Change change) {
-    switch (change) {
-        case Change::None:
-            return "nothing";
-        case Change::Light:
-            return "light +2 %";
-        case Change::Albedo:
-            return "albedo +1 %";
-        case Change::Normal:
-            return "one normal turned round";
-        case Change::DarkTriangle:
-            return "one triangle darker";
-        case Change::Ring:
-            return "one ring of triangles removed";
-        case Change::Camera:
-            return "camera turned by 0.1 degrees";
-    }
-    return "";
 }
 
 NoisyImage picture(Body body, Change change, const Settings& settings) {

@@ -5,8 +5,9 @@
 
 #include "render/compare/statistical.h"
 #include "render/film/filter.h"
+#include "tests/render/compare/power_changes.h"
 
-/// Small scenes, and small changes of them that a comparison has to see.
+/// Small scenes for the changes that a comparison has to see.
 namespace power {
 
 enum class Body {
@@ -16,19 +17,6 @@ enum class Body {
 };
 constexpr std::array<Body, 3> kBodies{Body::Clay, Body::Metal, Body::Glass};
 const char* name(Body body);
-
-enum class Change {
-    None,
-    Light,         ///< lamps 2 % brighter, the sky as it was
-    Albedo,        ///< base colour of the body 1 % brighter
-    Normal,        ///< one vertex normal of 642 turned round
-    DarkTriangle,  ///< one triangle of 1280 with half the base colour
-    Ring,          ///< the triangles about one vertex removed
-    Camera         ///< turned by 0.1 degrees: half a pixel of a 96 pixels wide picture
-};
-constexpr std::array<Change, 6> kChanges{Change::Light,        Change::Albedo, Change::Normal,
-                                         Change::DarkTriangle, Change::Ring,   Change::Camera};
-const char* name(Change change);
 
 struct Settings {
     int size = 64;  ///< pixels, width and height
