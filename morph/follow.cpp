@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 
 #include "morph/alignment/places.h"
+#include "morph/mesh/geometry.h"
 #include "morph/overlay/lift.h"
 #include "morph/parameterization/guided_map.h"
 #include "morph/parameterization/map_quality.h"
@@ -18,14 +20,22 @@ namespace {
 /// Share of the source's vertices above which those that cannot follow on the sphere are worth a note.
 constexpr double kManyLate = 0.2;
 
+/// Distance from its place, in diagonals of the other shape's box, at which a vertex counts for exp(-1/2).
+constexpr double kTrustedGap = 0.02;
+
+/// Places on b's surface of a's vertices, refined ones included, moved as the guide says.
+std::vector<SurfacePlace> surface_places(const Guide& guide, const MappedPart& a, const Shape& shape_b,
+                                         const MappedPart& b) {
+    const Mesh surface_b{b.mesh.V, without_fillings(b.mesh.F, filling_triangles(shape_b, b))};
+    return places_on(surface_b, place(guide.x, a.sites), place(guide.normals, a.sites));
+}
+
 /// Where a's vertices belong in b's map; the loop's vertices are where they are.
 Points places_in(const Guide& guide, const MappedPart& a, const Shape& shape_b, const MappedPart& b) {
-    // Vertices of the part, refined ones included, at their places on the moved source.
-    const Points x = place(guide.x, a.sites), normals = place(guide.normals, a.sites);
-    const Mesh surface_b{b.mesh.V, without_fillings(b.mesh.F, filling_triangles(shape_b, b))};
-    const std::vector<SurfacePlace> on_b = places_on(surface_b, x, normals);
-    Points places(x.rows(), 3);
-    for (Eigen::Index v = 0; v < x.rows(); ++v) places.row(v) = on_b[static_cast<std::size_t>(v)].in(b.rays);
+    const std::vector<SurfacePlace> on_b = surface_places(guide, a, shape_b, b);
+    Points places(a.rays.rows(), 3);
+    for (Eigen::Index v = 0; v < places.rows(); ++v)
+        places.row(v) = on_b[static_cast<std::size_t>(v)].in(b.rays);
     // Vertices of shapes come first in their parts and keep their numbers.
     for (const auto& [vertex, place] : guide.pinned) places.row(vertex) = place.in(b.rays);
     for (const int v : a.loop) places.row(v) = a.rays.row(v);
@@ -73,6 +83,27 @@ bool follow_on_disk(const Guide& guide, MappedPart& a, const Shape& shape_b, con
     a.rays = std::move(map.rays);
     report.alignment.used = true;
     return true;
+}
+
+SurfaceMatches guided_matches(const Guide& guide, const Shape& shape_a, const MappedPart& a,
+                              const Shape& shape_b, const MappedPart& b) {
+    const std::vector<SurfacePlace> on_b = surface_places(guide, a, shape_b, b);
+    const Points x = place(guide.x, a.sites);
+    const Eigen::VectorXd areas =
+        vertex_areas({a.mesh.V, without_fillings(a.mesh.F, filling_triangles(shape_a, a))});
+    const double trusted = kTrustedGap * bounding_box_diagonal(shape_b.mesh.V);
+    SurfaceMatches matches;
+    std::vector<double> weights;
+    for (int v = 0; v < a.mesh.vertex_count(); ++v) {
+        if (!(areas[v] > 0.0)) continue;
+        const SurfacePlace& there = on_b[static_cast<std::size_t>(v)];
+        const double gap = (there.in(b.mesh.V) - x.row(v)).norm() / trusted;
+        matches.on_a.push_back({{v, v, v}, {1.0, 0.0, 0.0}});
+        matches.on_b.push_back({there.corners, {there.weights[0], there.weights[1], there.weights[2]}});
+        weights.push_back(areas[v] * std::exp(-0.5 * gap * gap));
+    }
+    matches.weights = Eigen::Map<Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
+    return matches;
 }
 
 void follow_on_sphere(const Guide& guide, const Shape& shape_a, MappedPart& a, const Shape& shape_b,

@@ -2,6 +2,7 @@
 
 #include "morph/alignment/guide.h"
 #include "morph/merge_maps.h"
+#include "morph/sphere_alignment/surface_matches.h"
 
 namespace automorph {
 
@@ -12,8 +13,14 @@ namespace automorph {
 bool follow_on_disk(const Guide& guide, MappedPart& a, const Shape& shape_b, const MappedPart& b,
                     Report& report);
 
-/// The same on the sphere, where such a repair need not end well: starting from a's own map, vertices go to
-/// their places as far as no triangle turns over (MovableMap), so that the result is always one-to-one.
+/// Points of part a and where a dense alignment says they belong on b: for align_spheres. What lies far from
+/// its place, in diagonals of b's box, counts little.
+SurfaceMatches guided_matches(const Guide& guide, const Shape& shape_a, const MappedPart& a,
+                              const Shape& shape_b, const MappedPart& b);
+
+/// As follow_on_disk, on the sphere, where such a repair need not end well: starting from a's own map,
+/// vertices go to their places as far as no triangle turns over (MovableMap), so that the result is always
+/// one-to-one.
 /// @param a  mapped and aligned with b; the nearer it is to the places, the more of them are reached
 void follow_on_sphere(const Guide& guide, const Shape& shape_a, MappedPart& a, const Shape& shape_b,
                       const MappedPart& b, Report& report);

@@ -2,6 +2,8 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include <utility>
+
 #include "morph/follow.h"
 #include "morph/overlay/lift.h"
 #include "morph/parameterization/sphere_border.h"
@@ -29,13 +31,26 @@ MappedPart without_chords(const MappedPart& part) {
     return result;
 }
 
+/// What is to meet on the sphere: near points of the registered shapes; where limbs were laid on one another
+/// the points that belong together after that, since an arm that hangs is near the hip of one that is raised.
+SurfaceMatches sphere_matches(const Shape& shape_a, const MappedPart& a, const Shape& shape_b,
+                              const MappedPart& b, const SphereOptions& options) {
+    if (!options.guide || options.guide->matched_tips.empty()) {
+        return match_surfaces({a.mesh, filling_triangles(shape_a, a)},
+                              {b.mesh, filling_triangles(shape_b, b)}, *options.registration, options.seed);
+    }
+    if (!options.moves_b) return guided_matches(*options.guide, shape_a, a, shape_b, b);
+    SurfaceMatches matches = guided_matches(*options.guide, shape_b, b, shape_a, a);
+    std::swap(matches.on_a, matches.on_b);
+    return matches;
+}
+
 MergedPair merge(const Shape& shape_a, MappedPart a, const Shape& shape_b, MappedPart b,
                  const SphereOptions& options, Report& report) {
     if (options.registration) {
         const StageClock clock(report, "alignment on the sphere");
-        AlignedSpheres aligned = align_spheres({a.mesh, a.loop, a.rays, filling_triangles(shape_a, a)},
-                                               {b.mesh, b.loop, b.rays, filling_triangles(shape_b, b)},
-                                               *options.registration, options.seed);
+        AlignedSpheres aligned = align_spheres({a.mesh, a.loop, a.rays}, {b.mesh, b.loop, b.rays},
+                                               sphere_matches(shape_a, a, shape_b, b, options));
         a.rays = std::move(aligned.rays_a);
         b.rays = std::move(aligned.rays_b);
         report.sphere_alignment = {aligned.matches, aligned.before, aligned.rotated, aligned.after};

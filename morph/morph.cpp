@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "morph/align_disks.h"
 #include "morph/alignment/border_places.h"
@@ -149,6 +150,13 @@ private:
         const StageClock clock(report_, "alignment");
         guide_ = align(source, start, target, options_.nonrigid);
         report_.alignment.distance = guide_->distance;
+        report_.alignment.limbs_source = guide_->source_limbs;
+        report_.alignment.limbs_target = guide_->target_limbs;
+        report_.alignment.limb_matches = guide_->matched_tips;
+        if (target_moves()) {  // source and target here are of the alignment
+            std::swap(report_.alignment.limbs_source, report_.alignment.limbs_target);
+            for (auto& [a, b] : report_.alignment.limb_matches) std::swap(a, b);
+        }
         if (!border) return;
         auto aligned = aligned_border(guide_->x(source.loops[0], Eigen::all),
                                       target.mesh.V(target.loops[0], Eigen::all));

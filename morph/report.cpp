@@ -30,11 +30,17 @@ Json json(const RegistrationReport& registration) {
 }
 
 Json json(const AlignmentReport& alignment) {
+    Json limb_matches = Json::array();
+    for (const auto& [source, target] : alignment.limb_matches)
+        limb_matches.push_back({{"source", source}, {"target", target}});
     return {{"used", alignment.used},
             {"distance", alignment.distance},
             {"flipped_before", alignment.flipped_before},
             {"moved", alignment.moved},
-            {"rounds", alignment.rounds}};
+            {"rounds", alignment.rounds},
+            {"limbs_source", alignment.limbs_source},
+            {"limbs_target", alignment.limbs_target},
+            {"limb_matches", limb_matches}};
 }
 
 Json json(const DistortionReport& distortion) {

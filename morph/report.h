@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace automorph {
@@ -38,6 +39,9 @@ struct AlignmentReport {
     int flipped_before = 0;  ///< triangles of the moved shape that their places on the other turn over
     int moved = 0;           ///< vertices moved off their places to make the map one-to-one
     int rounds = 0;          ///< of that repair
+    int limbs_source = 0, limbs_target = 0;  ///< arms, legs, horns, ... that were found
+    std::vector<std::pair<int, int>>
+        limb_matches;  ///< vertices of source and target: tips laid on one another
 };
 
 /// The border insertion of Sec. 4.2: vertices of the borders.

@@ -87,6 +87,11 @@ touch "$work/project/build/release/old_object"
 call morph
 check "a build folder that was moved is made anew" test ! -e "$work/project/build/release/old_object"
 
+call help figures
+check "help on a topic is the program's" has '<help><figures>'
+call help
+check "help alone is the launcher's" has 'figure CONFIG'
+
 new_machine
 printf 'libfmt-dev\ncatch2\n' >"$work/missing"
 chmod a+w "$work/missing"

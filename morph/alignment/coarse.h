@@ -9,8 +9,11 @@ namespace automorph {
 /// A mesh thinned out: some of its vertices, with the borders whole.
 struct CoarseMesh {
     Mesh mesh;
-    std::vector<int> vertex;              ///< per coarse vertex: that of the mesh
+    std::vector<int> vertex;              ///< per coarse vertex: that of the mesh; empty: the mesh is whole
     std::vector<std::vector<int>> loops;  ///< as those of the mesh, in coarse vertices
+
+    /// The vertex of the mesh that a coarse one is.
+    int whole(int v) const { return vertex.empty() ? v : vertex[static_cast<std::size_t>(v)]; }
 };
 
 /// Thins a mesh out to about so many vertices by half-edge collapses (decimation.h). All border vertices

@@ -43,6 +43,9 @@ Guide align(const AlignedShape& source, const Points& start, const AlignedShape&
                                          [](int centre) { return centre >= 0; });
     Guide guide;
     guide.distance = alignment.distance;
+    guide.source_limbs = alignment.source_limbs;
+    guide.target_limbs = alignment.target_limbs;
+    guide.matched_tips = alignment.matched_tips;
     guide.x = alignment.x;
     guide.x.conservativeResize(all, 3);
     guide.normals = Points::Zero(all, 3);

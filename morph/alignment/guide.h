@@ -22,8 +22,10 @@ struct Guide {
     Points x;        ///< #V x 3 in the target's frame
     Points normals;  ///< #V x 3 of the moved source; zero for the centres of fillings
     std::vector<std::pair<int, SurfacePlace>>
-        pinned;             ///< vertices of fillings and openings: places known already
-    double distance = 0.0;  ///< see NonRigidAlignment
+        pinned;                              ///< vertices of fillings and openings: places known already
+    double distance = 0.0;                   ///< see NonRigidAlignment,
+    int source_limbs = 0, target_limbs = 0;  ///< as these
+    std::vector<std::pair<int, int>> matched_tips;
 };
 
 /// Aligns the source with the target by a smooth motion and pairs their openings.

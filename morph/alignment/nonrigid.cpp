@@ -3,10 +3,12 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "morph/alignment/border_pull.h"
 #include "morph/alignment/coarse.h"
+#include "morph/alignment/limb_pull.h"
 #include "morph/alignment/motion_solver.h"
 #include "morph/alignment/places.h"
 #include "morph/alignment/prior.h"
@@ -143,13 +145,21 @@ public:
         result_ = coarser.result_;
     }
 
-    void bend(std::span<const AlignmentLevel> levels) {
+    /// @param with_limbs  at so many of the levels limbs are pulled onto one another
+    void bend(std::span<const AlignmentLevel> levels, std::size_t with_limbs = 0) {
         if (levels.empty()) return;
+        std::optional<LimbPulls> limbs;
+        if (with_limbs > 0 && options_.limbs > 0.0) {
+            limbs.emplace(Mesh{x0_, source_.mesh.F}, source_.loops, target_.mesh, target_.loops,
+                          options_.limbs);
+            note_limbs(*limbs);
+        }
         const MotionPrior prior = motion_prior({x0_, source_.mesh.F}, source_.loops);
         MotionSolver solver(options_.membrane * prior.membrane + options_.bending * prior.bending +
                             options_.border_bending * prior.border);
         const BorderPulls borders(x0_, source_.loops, target_.mesh.V, target_.loops, options_);
-        for (const AlignmentLevel& level : levels) {
+        for (std::size_t k = 0; k < levels.size(); ++k) {
+            const AlignmentLevel& level = levels[k];
             for (int round = 0; round < (options_.rounds > 0 ? options_.rounds : level.rounds); ++round) {
                 SoftMatches matches = match(level);
                 const Points reference = x0_ + options_.plastic * (x_ - x0_);
@@ -158,6 +168,7 @@ public:
                     matches.weight.sum());
                 Pulls pulls{matches.centre - reference, std::move(matches.trust)};
                 borders.add(x_, reference, pulls);
+                if (limbs && k < with_limbs) limbs->add(x_, reference, pulls);
                 x_ = reference + solver.solve(pulls, options_.stiffness * level.stiffness, x_ - reference);
             }
         }
@@ -173,6 +184,13 @@ public:
     }
 
 private:
+    void note_limbs(const LimbPulls& limbs) {
+        result_.source_limbs = limbs.source_limbs();
+        result_.target_limbs = limbs.target_limbs();
+        for (const auto& [a, b] : limbs.matched_tips())
+            result_.matched_tips.emplace_back(source_.whole(a), target_.whole(b));
+    }
+
     SoftMatches match(const AlignmentLevel& level) const {
         const double normal = options_.normals ? level.normal : kNoNormals;
         SoftMatches matches =
@@ -203,7 +221,7 @@ NonRigidAlignment align_nonrigid(const Mesh& source, const std::vector<std::vect
                                  const NonRigidOptions& options) {
     const double unit = bounding_box_diagonal(target.V);
     const Mesh to{target.V / unit, target.F}, from{start / unit, source.F};
-    if (lies_on(from, to)) return {start, 0.0, 0, 0};
+    if (lies_on(from, to)) return {start};
 
     const std::span<const AlignmentLevel> levels = options.levels;
     const std::size_t first = std::min(levels.size(), static_cast<std::size_t>(options.coarse_levels));
@@ -212,12 +230,12 @@ NonRigidAlignment align_nonrigid(const Mesh& source, const std::vector<std::vect
         (has_many_more(from, options.coarse_vertices) || has_many_more(to, options.coarse_vertices))) {
         Fit coarse(from, source_loops, to, target_loops, options.coarse_vertices, options);
         coarse.settle();
-        coarse.bend(levels.first(first));
+        coarse.bend(levels.first(first), first);
         fine.continue_from(coarse);
         fine.bend(levels.subspan(first));
     } else {
         fine.settle();
-        fine.bend(levels);
+        fine.bend(levels, first);
     }
     NonRigidAlignment result = fine.result_on(from);
     result.x *= unit;

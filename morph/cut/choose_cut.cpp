@@ -108,7 +108,7 @@ CutPlanes choose_cut(const Mesh& source, const Mesh& target, const Registration&
     }
     throw SolverFailure(
         fmt::format("cut: no plane through the centres cuts both shapes into two disks each ({} matches, {} "
-                    "planes each, were tried)",
+                    "planes each, were tried); the domain auto or sphere needs no plane",
                     failed.size(), kPencil));
 }
 
@@ -125,7 +125,9 @@ CutPlanes unregistered_cut(const Mesh& source, const Mesh& target) {
         if (a.suitability(p) > 0.0 && b.suitability(q) > 0.0) return {p, q, -1, -1, 0.0, 0};
     }
     throw SolverFailure(fmt::format(
-        "cut: none of {} planes through the centres cuts both shapes into two disks each", normals.size()));
+        "cut: none of {} planes through the centres cuts both shapes into two disks each; the domain auto or "
+        "sphere needs no plane",
+        normals.size()));
 }
 
 }  // namespace automorph

@@ -55,7 +55,7 @@ S side_of(HeadCrop crop, const Vec<S>& p) {
     if (crop == HeadCrop::Head) return S(kNeckCut) - p.y;
     // A trough in front of the ears that rises to the hair and passes under the chin before the neck.
     const S up = p.y + 2.0;
-    return 2.2 + 0.045 * (up * up) - p.z;
+    return 2.2 + 0.034 * (up * up) - p.z;
 }
 
 /// A field of the sculpture, in head heights.

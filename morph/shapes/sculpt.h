@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "morph/shapes/jet.h"
 
@@ -18,6 +20,9 @@ using Vec3 = Vec<double>;
 template <class A, class B>
 auto operator-(const Vec<A>& a, const Vec<B>& b) {
     return Vec<decltype(a.x - b.x)>{a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vec3 operator+(const Vec3& a, const Vec3& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 template <class A, class B>
 auto dot(const Vec<A>& a, const Vec<B>& b) {
@@ -123,6 +128,74 @@ S limb(const Vec<S>& p, const Vec3& a, const Vec3& b, double ra, double rb) {
     if (value_of(t) > 1.0) t = S(1.0);
     const Vec<S> off{from.x - t * axis.x, from.y - t * axis.y, from.z - t * axis.z};
     return sqrt(dot(off, off) + 1e-12) - (ra + (rb - ra) * (t * t * (3.0 - 2.0 * t)));
+}
+
+/// A point of a strand with its thickness.
+struct Bead {
+    Vec3 at;
+    double radius;
+};
+
+/// A round strand along a cubic B-spline: rims and folds. It starts at the first bead and ends at the last;
+/// in between it rounds them off. No bend may be narrower than the strand is thick. Made once per strand.
+class Strand {
+public:
+    /// A place on the curve with its derivatives by the parameter u, which is k at bead k.
+    struct Place {
+        Vec3 point, tangent, bend;
+        double radius, widening;
+    };
+
+    explicit Strand(std::vector<Bead> beads);
+
+    /// Of the point of the curve that is nearest to p.
+    double nearest(const Vec3& p) const;
+    Place at(double u) const;
+    double end() const { return static_cast<double>(beads_.size()) - 3.0; }
+    /// p is so far away that no blend reaches it.
+    bool is_out_of_reach(const Vec3& p) const;
+
+    /// How fast the foot of the perpendicular from p moves past a place: its squared speed, more or less by
+    /// the bend. Not below a share of the speed: near the centre of a bend, feet are anywhere.
+    static double foot_slope(const Place& place, const Vec3& p) {
+        const double speed = dot(place.tangent, place.tangent);
+        return std::max(speed - dot(p - place.point, place.bend), 0.3 * speed);
+    }
+
+    static constexpr double kReach = 3.5;
+
+private:
+    std::vector<Bead> beads_;  // and one more beyond each end
+    std::vector<Vec3> samples_;
+    Vec3 centre_;
+    double radius_ = 0.0;  // of a ball about all of it
+};
+
+/// Distance from a strand; kReach where it is out of reach.
+template <class S>
+S strand(const Vec<S>& p, const Strand& line) {
+    using std::sqrt;
+    const Vec3 at{value_of(p.x), value_of(p.y), value_of(p.z)};
+    if (line.is_out_of_reach(at)) return S(Strand::kReach);
+    const double u = line.nearest(at);
+    const Strand::Place place = line.at(u);
+    // The distance does not change with u; the radius does, and u with p by the derivative of the foot.
+    const Vec<S> off = p - place.point;
+    S radius(place.radius);
+    if (u > 0.0 && u < line.end()) {
+        const S along = dot(off, place.tangent) * (1.0 / Strand::foot_slope(place, at));
+        radius = radius + (along - value_of(along)) * place.widening;
+    }
+    return sqrt(dot(off, off) + 1e-12) - radius;
+}
+
+/// The surface moved outwards by `amount` at `centre`, less away from it, not at all beyond the semi-axes;
+/// inwards if negative. C2.
+template <class S>
+S swell(const S& d, const Vec<S>& p, const Vec3& centre, const Vec3& semi, double amount) {
+    return d - amount * bump_square(S(square(S((p.x - centre.x) * (1.0 / semi.x))) +
+                                      square(S((p.y - centre.y) * (1.0 / semi.y))) +
+                                      square(S((p.z - centre.z) * (1.0 / semi.z)))));
 }
 
 /// Whether p is within `radius` of `centre`.

@@ -10,7 +10,6 @@
 #include "morph/registration/procrustes.h"
 #include "morph/sphere_alignment/movable_map.h"
 #include "morph/sphere_alignment/smooth_field.h"
-#include "morph/sphere_alignment/surface_matches.h"
 
 namespace automorph {
 
@@ -52,13 +51,10 @@ void require_positive(const char* what, const Mesh& mesh, const Points& rays) {
 
 }  // namespace
 
-AlignedSpheres align_spheres(const MappedMesh& a, const MappedMesh& b, const Registration& registration,
-                             std::uint64_t seed) {
-    const SurfaceMatches matches =
-        match_surfaces({a.mesh, a.filling}, {b.mesh, b.filling}, registration, seed);
+AlignedSpheres align_spheres(const MappedMesh& a, const MappedMesh& b, const SurfaceMatches& matches) {
     AlignedSpheres result{a.rays, b.rays, static_cast<int>(matches.on_a.size())};
     if (matches.on_a.empty()) return result;
-    const Points at_a = rays_of(a.mesh, a.rays, matches.on_a), at_b = rays_of(b.mesh, b.rays, matches.on_b);
+    const Points at_a = rays_of(a.rays, matches.on_a), at_b = rays_of(b.rays, matches.on_b);
     result.before = mean_angle(at_a, at_b, matches.weights);
 
     if (b.loop.empty()) {
@@ -66,14 +62,13 @@ AlignedSpheres align_spheres(const MappedMesh& a, const MappedMesh& b, const Reg
         result.rays_b = (b.rays * best_rotation(H).transpose()).rowwise().normalized();
         require_positive("target, turned,", b.mesh, result.rays_b);
     }
-    result.rotated = mean_angle(at_a, rays_of(b.mesh, result.rays_b, matches.on_b), matches.weights);
+    result.rotated = mean_angle(at_a, rays_of(result.rays_b, matches.on_b), matches.weights);
 
     MovableMap map_a(a.mesh, a.loop, result.rays_a), map_b(b.mesh, b.loop, result.rays_b);
     const double ratio = std::pow(kNarrowest / kWidest, 1.0 / (kLevels - 1));
     double width = kWidest;
     for (int level = 0; level < kLevels; ++level, width *= ratio) {
-        const Points from = rays_of(a.mesh, map_a.rays(), matches.on_a),
-                     to = rays_of(b.mesh, map_b.rays(), matches.on_b);
+        const Points from = rays_of(map_a.rays(), matches.on_a), to = rays_of(map_b.rays(), matches.on_b);
         const Points half = 0.5 * (to - from);
         map_a.move(shifted(map_a.rays(), SmoothField(from, half, matches.weights, width)));
         map_b.move(shifted(map_b.rays(), SmoothField(to, -half, matches.weights, width)));
@@ -83,8 +78,8 @@ AlignedSpheres align_spheres(const MappedMesh& a, const MappedMesh& b, const Reg
     }
     result.rays_a = map_a.rays();
     result.rays_b = map_b.rays();
-    result.after = mean_angle(rays_of(a.mesh, map_a.rays(), matches.on_a),
-                              rays_of(b.mesh, map_b.rays(), matches.on_b), matches.weights);
+    result.after =
+        mean_angle(rays_of(map_a.rays(), matches.on_a), rays_of(map_b.rays(), matches.on_b), matches.weights);
     require_positive("source", a.mesh, result.rays_a);
     require_positive("target", b.mesh, result.rays_b);
     return result;

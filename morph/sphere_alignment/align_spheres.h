@@ -1,10 +1,9 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "morph/mesh/mesh.h"
-#include "morph/registration/registration.h"
+#include "morph/sphere_alignment/surface_matches.h"
 
 namespace automorph {
 
@@ -13,7 +12,6 @@ struct MappedMesh {
     const Mesh& mesh;
     const std::vector<int>& loop;  ///< locked border; empty for a closed mesh
     Points rays;                   ///< #V x 3, unit vectors
-    std::vector<char> filling;     ///< #F: non-zero where no surface is, only the filling of an opening
 };
 
 /// Two maps onto the sphere brought together.
@@ -25,17 +23,16 @@ struct AlignedSpheres {
     double after = 0.0;     ///< and after the warp
 };
 
-/// Brings the maps of two registered shapes together on the sphere.
+/// Brings the maps of two shapes together on the sphere, so that matched points meet.
 ///
-/// Rotation  by SVD of sum p s_a s_b^T over matches of nearest points with normals [Kabsch76]; b is turned.
-/// With a
-///           locked border there is none: the common border ties the maps.
+/// Rotation  by SVD of sum p s_a s_b^T over the matches [Kabsch76]; b is turned. With a locked border there
+/// is
+///           none: the common border ties the maps.
 /// Warp      both maps towards their mean along a smooth tangent field, from wide to narrow (kWidest ..
 /// kNarrowest),
 ///           each move guarded per vertex (guarded_move.h), with relaxing sweeps (sphere_relaxation.h).
 ///           Border vertices stay.
 /// @throws SolverFailure  a triangle has lost its orientation, with counts
-AlignedSpheres align_spheres(const MappedMesh& a, const MappedMesh& b, const Registration& registration,
-                             std::uint64_t seed);
+AlignedSpheres align_spheres(const MappedMesh& a, const MappedMesh& b, const SurfaceMatches& matches);
 
 }  // namespace automorph

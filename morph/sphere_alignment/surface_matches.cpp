@@ -53,7 +53,8 @@ Sample sample(const Surface& surface, std::uint64_t seed) {
         const double place = (k + uniform(random)) * step;
         while (f + 1 < mesh.triangle_count() && before + areas[f] < place) before += areas[f++];
         const double root = std::sqrt(uniform(random)), share = uniform(random);
-        const SurfacePoint point{f, {1.0 - root, root * (1.0 - share), root * share}};
+        const SurfacePoint point{{mesh.F(f, 0), mesh.F(f, 1), mesh.F(f, 2)},
+                                 {1.0 - root, root * (1.0 - share), root * share}};
         Eigen::Vector3d position = Eigen::Vector3d::Zero();
         for (int c = 0; c < 3; ++c)
             position += point.weights[static_cast<std::size_t>(c)] * mesh.V.row(mesh.F(f, c));
@@ -131,12 +132,11 @@ SurfaceMatches match_surfaces(const Surface& a, const Surface& b, const Registra
     return matches;
 }
 
-Points rays_of(const Mesh& mesh, const Points& rays, const std::vector<SurfacePoint>& points) {
+Points rays_of(const Points& rays, const std::vector<SurfacePoint>& points) {
     Points result(static_cast<Eigen::Index>(points.size()), 3);
     for (std::size_t k = 0; k < points.size(); ++k) {
         Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-        for (int c = 0; c < 3; ++c)
-            sum += points[k].weights[static_cast<std::size_t>(c)] * rays.row(mesh.F(points[k].triangle, c));
+        for (std::size_t c = 0; c < 3; ++c) sum += points[k].weights[c] * rays.row(points[k].corners[c]);
         result.row(static_cast<Eigen::Index>(k)) = sum.normalized();
     }
     return result;

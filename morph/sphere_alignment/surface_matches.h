@@ -9,9 +9,9 @@
 
 namespace automorph {
 
-/// A point of a surface: a triangle and barycentric coordinates.
+/// A point of a surface: a triangle's corners and barycentric coordinates.
 struct SurfacePoint {
-    int triangle;
+    std::array<int, 3> corners;
     std::array<double, 3> weights;
 };
 
@@ -33,6 +33,6 @@ SurfaceMatches match_surfaces(const Surface& a, const Surface& b, const Registra
                               std::uint64_t seed);
 
 /// Places of surface points under a map: rays of the corners, weighted; unit vectors, #points x 3.
-Points rays_of(const Mesh& mesh, const Points& rays, const std::vector<SurfacePoint>& points);
+Points rays_of(const Points& rays, const std::vector<SurfacePoint>& points);
 
 }  // namespace automorph

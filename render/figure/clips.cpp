@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "morph/mesh/write_file.h"
+#include "render/figure/picture_progress.h"
 #include "render/figure/row_subject.h"
 #include "render/figure/stopwatch.h"
 #include "render/image/image_file.h"
@@ -93,14 +94,15 @@ Clip row_clip(const FigureConfig& config, const Shooting& shooting, const Figure
     clip.frames = static_cast<int>(shown.size());
     RowSubject subject(shooting, row, figure.scale);
     const FrameColors colors(config, row.motion);
-    const Progress& progress = shooting.options.progress;
+    PictureProgress progress(shooting.options.progress, task, "picture", stills.size());
     std::vector<VideoFrame> pictures;
     for (const int still : stills) {
-        const auto before = static_cast<double>(pictures.size()), count = static_cast<double>(stills.size());
         const double alpha = loop_alpha(still, frames);
         const Points frame = row.motion.at(alpha);
-        const FigureCell cell = subject.shoot(frame, colors.of(frame), progress.part(task, before, count),
-                                              static_cast<std::uint32_t>(still));
+        const FigureCell cell =
+            subject.shoot(frame, colors.of(frame), progress.begin(pictures.size() + 1, shooting.samples()),
+                          static_cast<std::uint32_t>(still));
+        progress.end(cell.samples, cell.rays);
         clip.alphas.push_back(alpha);
         clip.stills.push_back(render::jpeg_data_uri(cell.image, kStillQuality));
         clip.seconds += cell.seconds;
@@ -108,7 +110,7 @@ Clip row_clip(const FigureConfig& config, const Shooting& shooting, const Figure
     }
     if (encodes) encode(pictures, shown, config.video.fps, video_files(folder, clip.name));
     clip.encoded = encodes;
-    progress(task, 1);
+    progress.finish();
     return clip;
 }
 
@@ -163,19 +165,24 @@ Clip turntable_clip(const FigureConfig& config, const FigureOptions& options, co
     RowSubject subject(shooting, row, figure.scale);
     const FrameColors colors(config, row.motion);
     VideoEncoder encoder(video_files(folder, clip.name), clip.width, clip.height, config.video.fps);
+    std::vector<int> indices;
     for (int i = 0; i < config.video.turntable; ++i) {
-        if (!options.frames.has(static_cast<std::size_t>(i))) continue;
+        if (options.frames.has(static_cast<std::size_t>(i))) indices.push_back(i);
+    }
+    PictureProgress progress(options.progress, task, "frame", indices.size());
+    for (const int i : indices) {
         const Points frame = table.frame(i);
         const FigureCell cell = subject.shoot(table.turned_frame(frame, i), colors.of(frame),
-                                              options.progress.part(task, i, config.video.turntable),
+                                              progress.begin(static_cast<std::size_t>(i), shooting.samples()),
                                               static_cast<std::uint32_t>(i));
+        progress.end(cell.samples, cell.rays);
         clip.seconds += cell.seconds;
         ++clip.frames;
         encoder.add(video_frame(cell.image));
     }
     encoder.finish();
     clip.encoded = true;
-    options.progress(task, 1);
+    progress.finish();
     return clip;
 }
 

@@ -129,10 +129,12 @@ Section<NonRigidOptions> nonrigid_section() {
         value("border", &N::border, kFactor, "weight of the pull of borders onto one another"),
         value("slide", &N::slide, kShare, "share of that pull which is not felt along the border"),
         value("plastic", &N::plastic, kShare, "how much of the motion so far becomes the shape at rest"),
+        value("limbs", &N::limbs, kFactor,
+              "pull of arms, legs, horns onto those of the other shape at the coarse levels; 0: none"),
         value("similarity_rounds", &N::similarity_rounds, {0, 1000},
               "of turning, shifting and scaling before anything bends"),
         value("coarse_levels", &N::coarse_levels, {0, 6},
-              "so many of the levels, from the first, are fitted on meshes of 1500 vertices, the others on "
+              "so many of the levels, from the first, are fitted on meshes of 2500 vertices, the others on "
               "5000"),
         flag("normals", &N::normals, "matches heed normals"),
         flag("directional_trust", &N::directional_trust,

@@ -7,7 +7,8 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numeric>
+
+#include "render/figure/suggestion.h"
 
 namespace automorph::config {
 namespace {
@@ -65,43 +66,6 @@ std::optional<double> number_within(const YAML::Node& node, const ConfigKey& key
     const bool allowed = value && std::isfinite(*value) && (!key.least || *value >= *key.least) &&
                          (!key.most || *value <= *key.most);
     return allowed ? value : std::nullopt;
-}
-
-/// Levenshtein distance.
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
-        }
-    }
-    return row[b.size()];
-}
-
-bool begins(const std::string& text, const std::string& with) {
-    return text.compare(0, with.size(), with) == 0;
-}
-
-/// "; did you mean 'x'?" where one of the names is near enough to be a misspelling, or one begins the other.
-std::string suggestion(const std::string& name, const std::vector<std::string>& names) {
-    std::string best;
-    std::size_t smallest = std::max<std::size_t>(2, name.size() / 2) + 1;
-    for (const std::string& each : names) {
-        constexpr std::size_t kLeastStem = 3;
-        const bool stem =
-            std::min(name.size(), each.size()) >= kLeastStem && (begins(each, name) || begins(name, each));
-        const std::size_t distance = stem ? 1 : edit_distance(name, each);
-        if (distance < smallest) {
-            smallest = distance;
-            best = each;
-        }
-    }
-    return best.empty() ? "" : fmt::format("; did you mean '{}'?", best);
 }
 
 /// True if the mapping holds what "name: value" says.

@@ -104,6 +104,10 @@ std::string config_schema() {
         (*mapping)["properties"][name] = schema;
         if (key.required) (*mapping)["required"].push_back(name);
     }
+    // What a config lacks may stand in the one that it extends.
+    root["if"] = {{"required", Json::array({"extends"})}};
+    root["else"] = {{"required", root["required"]}};
+    root.erase("required");
     return root.dump(2) + "\n";
 }
 

@@ -9,6 +9,7 @@
 #include "morph/report_of.h"
 #include "render/figure/mesh_source.h"
 #include "render/figure/panels.h"
+#include "render/figure/picture_progress.h"
 #include "render/figure/stopwatch.h"
 
 namespace automorph {
@@ -48,15 +49,18 @@ void picture_shape(const FigureConfig& config, const FigureOptions& options, Fig
     figure.morphs.emplace_back().source = shape.report;
     FigureRow& row = figure.rows.emplace_back();
     Subject subject(shooting, shape.mesh.V, shape.mesh.F);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < sides.size(); ++i) count += options.cells.has(i);
+    PictureProgress progress(options.progress, "pictures", "cell", count);
     for (std::size_t i = 0; i < sides.size(); ++i) {
         if (!options.cells.has(i)) continue;
-        FigureCell cell = subject.shoot(sides[i], options.progress.part("pictures", static_cast<double>(i),
-                                                                        static_cast<double>(sides.size())));
+        FigureCell cell = subject.shoot(sides[i], progress.begin(i + 1, shooting.samples()));
+        progress.end(cell.samples, cell.rays);
         cell.label = fmt::format("{}\u00b0", config.turns[i]);
         cell.column = i;
         row.cells.push_back(std::move(cell));
     }
-    options.progress("pictures", 1);
+    progress.finish();
 }
 
 std::vector<FigureCell> draw_borders(const Shooting& shooting, const InputMesh& source,
@@ -69,12 +73,26 @@ std::vector<FigureCell> draw_borders(const Shooting& shooting, const InputMesh& 
     return border_panels(shooting, insertion);
 }
 
-std::vector<FigureCell> draw_features(const Shooting& shooting, const InputMesh& source,
-                                      const InputMesh& target, std::uint64_t seed, RowConfig row,
-                                      Report& report) {
-    row.alignment = Alignment::Features;
-    report = morph(source, target, row.morph_options(seed)).report();
-    return feature_panels(shooting, source, target, report.features);
+/// A row per set of features; the shapes are pictured once.
+void draw_features(const FigureConfig& config, const Shooting& shooting, const InputMesh& source,
+                   const InputMesh& target, Figure& figure) {
+    const FigureOptions& options = shooting.options;
+    const PicturedShape pictured_source(shooting, source.mesh), pictured_target(shooting, target.mesh);
+    for (std::size_t i = 0; i < config.rows.size(); ++i) {
+        if (!options.rows.has(i)) continue;
+        FigureRow& row = figure.rows.emplace_back();
+        row.config = config.rows[i];
+        row.number = i;
+        row.morph = figure.morphs.size();
+        const std::string task = fmt::format("row {} ({})", i + 1, row.config.label);
+        options.progress(task, 0);
+        RowConfig by_features = row.config;
+        by_features.alignment = Alignment::Features;
+        const Report& report = figure.morphs.emplace_back(
+            morph(source, target, by_features.morph_options(config.seed)).report());
+        row.cells = feature_panels(shooting, pictured_source, pictured_target, report.features);
+        options.progress(task, 1);
+    }
 }
 
 void draw_panels(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
@@ -85,31 +103,15 @@ void draw_panels(const FigureConfig& config, const FigureOptions& options, Figur
     const Shooting shooting =
         shooting_of(config.picture, options, film_of(figure), {&source.mesh.V, &target.mesh.V});
     figure.camera = shooting.camera;
-    if (config.show == Show::Borders) {
-        figure.rows.emplace_back().cells =
-            draw_borders(shooting, source, target, config.seed, figure.morphs.emplace_back());
-        return;
-    }
-    for (std::size_t i = 0; i < config.rows.size(); ++i) {
-        if (!options.rows.has(i)) continue;
-        const RowConfig& config_row = config.rows[i];
-        const std::string task = fmt::format("row {} ({})", i + 1, config_row.label);
-        options.progress(task, 0);
-        FigureRow& row = figure.rows.emplace_back();
-        row.config = config_row;
-        row.number = i;
-        row.morph = figure.morphs.size();
-        row.cells =
-            draw_features(shooting, source, target, config.seed, config_row, figure.morphs.emplace_back());
-        options.progress(task, 1);
-    }
+    if (config.show == Show::Features) return draw_features(config, shooting, source, target, figure);
+    figure.rows.emplace_back().cells =
+        draw_borders(shooting, source, target, config.seed, figure.morphs.emplace_back());
 }
 
 /// Panels are drawn together; those not selected are left out afterwards.
 void select_panels(const Selection& selection, FigureRow& row) {
     std::vector<FigureCell> all;
     all.swap(row.cells);
-    selection.check(all.size(), "cell");
     for (std::size_t i = 0; i < all.size(); ++i) {
         all[i].column = i;
         if (selection.has(i)) row.cells.push_back(std::move(all[i]));

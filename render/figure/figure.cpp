@@ -4,21 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "morph/frame_check.h"
 #include "morph/mesh/errors.h"
-#include "morph/mesh/write_file.h"
 #include "render/figure/drawn_figure.h"
 #include "render/figure/frames.h"
 #include "render/figure/looks.h"
 #include "render/figure/mesh_source.h"
 #include "render/figure/morph_panels.h"
-#include "render/figure/page.h"
+#include "render/figure/picture_progress.h"
 #include "render/figure/row_subject.h"
 #include "render/figure/sheet.h"
 #include "render/figure/stopwatch.h"
-#include "render/image/image_file.h"
 
 namespace automorph {
 namespace {
@@ -140,19 +137,20 @@ void render_row(const Shooting& shooting, const RowFrames& frames, const std::op
     const std::string task = fmt::format("pictures of row {} ({})", row.number + 1, row.config.label);
     const FigureOptions& options = shooting.options;
     RowSubject subject(shooting, row, scale);
-    double done = 0, count = 0;
+    std::size_t count = 0;
     for (std::size_t i = 0; i < sequence.frames.size(); ++i) count += options.cells.has(i);
+    PictureProgress progress(options.progress, task, "cell", count);
     for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
         if (!options.cells.has(i)) continue;
         FigureCell cell = subject.shoot(sequence.frames[i], scale ? frames.numbers[i] : Eigen::VectorXd(),
-                                        options.progress.part(task, done, count));
-        ++done;
+                                        progress.begin(i + 1, shooting.samples()));
+        progress.end(cell.samples, cell.rays);
         cell.alpha = sequence.alphas[i];
         cell.column = i;
         cell.label = "\u03b1 = " + fraction_text(cell.alpha);
         row.cells.push_back(std::move(cell));
     }
-    options.progress(task, 1);
+    progress.finish();
 }
 
 void render_morphs(const FigureConfig& config, const FigureOptions& options, Figure& figure) {
@@ -178,52 +176,26 @@ void render_morphs(const FigureConfig& config, const FigureOptions& options, Fig
     for (FigureRow& row : figure.rows) render_row(shooting, rows[row.number], figure.scale, row);
 }
 
-/// How many rows and columns a figure has before anything is selected.
-std::size_t row_count(const FigureConfig& config) {
-    return std::max<std::size_t>(1, config.show == Show::Looks ? config.stages.size() : config.rows.size());
-}
-
-std::size_t column_count(const FigureConfig& config) {
-    if (config.show == Show::Morph) return config.alphas.size();
-    if (config.show == Show::Shape) return config.turns.size();
-    if (config.show == Show::Looks) return config.looks.size();
-    return std::numeric_limits<std::size_t>::max();  // told by those who draw them
-}
-
-render::Metadata sheet_metadata(const FigureConfig& config) {
-    return {{"Software", "automorph " AUTOMORPH_VERSION},
-            {"config", config.file.filename().string()},
-            {"config_hash", config_hash(config)}};
-}
-
-/// Space between the cells of a sheet that do not merge, relative to their width.
-constexpr double kGap = 0.02;
-
-bool cells_end_in_background(const FigureConfig& config) {
-    if (config.show != Show::Looks || config.stages.empty()) return config.picture.ends_in_background();
-    return std::all_of(config.stages.begin(), config.stages.end(), [&](const StageConfig& stage) {
-        return stage.picture.ends_in_background() && stage.picture.background == config.picture.background;
-    });
-}
-
-/// What the sheet, written with the plain curve, shows as the cells' own files do.
-render::Image toned(render::Image image, render::ToneCurve curve) {
-    if (curve == render::ToneCurve::Filmic)
-        std::transform(image.pixels.begin(), image.pixels.end(), image.pixels.begin(), render::filmic);
-    return image;
-}
-
-render::Metadata metadata(const FigureConfig& config, const Figure& figure, const FigureRow& row,
-                          const FigureCell& cell) {
-    render::Metadata about = sheet_metadata(config);
-    about["row"] = row.config.label;
-    about["cell"] = cell.label;
-    about["spp"] = std::to_string(figure.spp);
-    about["seed"] = std::to_string(config.picture.seed);
-    return about;
-}
-
 }  // namespace
+
+FigureGrid figure_grid(const FigureConfig& config) {
+    const std::size_t rows = std::max<std::size_t>(1, config.rows.size());
+    switch (config.show) {
+        case Show::Morph:
+            return {rows, config.alphas.size()};
+        case Show::Shape:
+            return {1, config.turns.size()};
+        case Show::Map:
+            return {1, 2};
+        case Show::Borders:
+            return {1, 3};
+        case Show::Features:
+            return {rows, 2};
+        case Show::Looks:
+            return {std::max<std::size_t>(1, config.stages.size()), config.looks.size()};
+    }
+    return {};
+}
 
 Figure render_figure(const FigureConfig& config, const FigureOptions& options) {
     Figure figure;
@@ -233,8 +205,9 @@ Figure render_figure(const FigureConfig& config, const FigureOptions& options) {
     if (figure.spp < 1)
         throw ConfigError(fmt::format("{} samples per pixel: expected at least 1", figure.spp));
 
-    options.rows.check(row_count(config), "row");
-    options.cells.check(column_count(config), "cell");
+    const FigureGrid grid = figure_grid(config);
+    options.rows.check(grid.rows, "row");
+    options.cells.check(grid.columns, "cell");
 
     const Stopwatch whole;
     if (config.show == Show::Morph) {
@@ -247,55 +220,6 @@ Figure render_figure(const FigureConfig& config, const FigureOptions& options) {
     figure.render_seconds = whole.seconds() - figure.load_seconds - figure.morph_seconds -
                             figure.check_seconds - figure.panel_seconds;
     return figure;
-}
-
-render::Image figure_sheet(const FigureConfig& config, const Figure& figure) {
-    SheetText text;
-    text.title = config.title;
-    std::vector<std::vector<render::Image>> cells;
-    for (const FigureRow& row : figure.rows) {
-        text.rows.push_back(row.config.label);
-        cells.emplace_back();
-        for (const FigureCell& cell : row.cells)
-            cells.back().push_back(toned(cell.image, config.picture.curve));
-    }
-    for (const FigureCell& cell : figure.rows.front().cells) text.columns.push_back(cell.label);
-    render::Color background = config.picture.background.cast<float>().array();
-    if (config.picture.curve == render::ToneCurve::Filmic) background = background.unaryExpr(&render::filmic);
-    SheetFade fade{config.picture.margin, background, kGap};
-    if (cells_end_in_background(config)) {
-        fade.gap = 0;
-    } else {
-        fade.margin = 0;
-    }
-    return make_sheet(cells, text, fade, figure.scale);
-}
-
-std::string cell_name(std::size_t row, std::size_t column) {
-    return fmt::format("row{}-col{}", row + 1, column + 1);
-}
-
-void write_figure(const FigureConfig& config, const Figure& figure, const std::filesystem::path& folder) {
-    make_folder(folder);
-    const render::PngOptions png{config.picture.curve, config.picture.bits};
-    for (const FigureRow& row : figure.rows) {
-        for (const FigureCell& cell : row.cells) {
-            render::Metadata about = metadata(config, figure, row, cell);
-            const std::string name = cell_name(row.number, cell.column);
-            about["color_space"] = "linear, primaries of Rec. 709";
-            if (cell.layers) {
-                render::write_exr(folder / (name + ".exr"), cell.image, *cell.layers, about);
-            } else {
-                render::write_exr(folder / (name + ".exr"), cell.image, about);
-            }
-            about["color_space"] = png.curve == render::ToneCurve::Filmic ? "sRGB, filmic" : "sRGB";
-            render::write_png(folder / (name + ".png"), cell.image, about, png);
-        }
-    }
-    render::write_png(folder / "sheet.png", figure_sheet(config, figure), sheet_metadata(config),
-                      {render::ToneCurve::Srgb, config.picture.bits});
-    write_file(folder / "metrics.json", metrics_json(config, figure));
-    write_file(folder / "index.html", page_html(config, figure));
 }
 
 }  // namespace automorph

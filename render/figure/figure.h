@@ -40,7 +40,7 @@ struct FigureCell {
     double alpha = 0;                      ///< of a morph's frame
     std::size_t column = 0;                ///< in the whole figure
     double seconds = 0;                    ///< of rendering
-    std::uint64_t rays = 0, bad_samples = 0;
+    std::uint64_t samples = 0, rays = 0, bad_samples = 0;
 };
 
 /// What a morph is made of, as small pictures for the page.
@@ -93,6 +93,13 @@ struct Figure {
     double load_seconds = 0, morph_seconds = 0, check_seconds = 0, panel_seconds = 0, render_seconds = 0,
            video_seconds = 0;
 };
+
+/// Rows and columns of a figure's cells before anything is selected.
+struct FigureGrid {
+    std::size_t rows = 0, columns = 0;
+};
+
+FigureGrid figure_grid(const FigureConfig& config);
 
 /// Computes all cells; writes nothing.
 /// @throws IoError, InvalidMesh, SolverFailure as load_mesh() and morph() do, ConfigError if an option is out

@@ -12,10 +12,6 @@
 namespace automorph {
 namespace {
 
-render::Color color(const Eigen::Vector3d& rgb) {
-    return rgb.cast<float>().array();
-}
-
 /// The middle of the map lies behind the target, turned to the left by `degrees`.
 render::MapAxes axes_of(const PictureConfig& picture, const render::Camera& camera) {
     constexpr double kFullTurn = 6.28318530717958648;
@@ -47,7 +43,7 @@ std::shared_ptr<const render::EquirectangularMap> load_sky(const PictureConfig& 
 void add_light(render::Scene& scene, const PictureConfig& picture, const render::Camera& camera,
                const render::Bounds& bounds, std::shared_ptr<const render::EquirectangularMap> map) {
     const LightConfig& light = picture.light;
-    const render::Color background = color(picture.background);
+    const render::Color background = color_of(picture.background);
     const auto strength = static_cast<float>(light.strength);
     if (light.kind == LightConfig::Kind::Studio) {
         render::add_studio(scene, camera, bounds,
@@ -56,8 +52,8 @@ void add_light(render::Scene& scene, const PictureConfig& picture, const render:
     }
     if (light.kind == LightConfig::Kind::Gradient) {
         scene.sky.gradient =
-            render::SkyGradient{strength * color(light.zenith), strength * color(light.horizon),
-                                strength * color(light.ground), picture.up.normalized().cast<float>()};
+            render::SkyGradient{strength * color_of(light.zenith), strength * color_of(light.horizon),
+                                strength * color_of(light.ground), picture.up.normalized().cast<float>()};
     }
     scene.sky.map = std::move(map);
     if (!light.visible) scene.background = background;

@@ -10,6 +10,11 @@
 
 namespace automorph {
 
+/// A colour of a config.
+inline render::Color color_of(const Eigen::Vector3d& rgb) {
+    return rgb.cast<float>().array();
+}
+
 /// The picture of the sky that a config names, turned as it says; null where there is none.
 /// @param camera  behind whose target the middle of an unturned map lies
 /// @throws IoError     the file cannot be read

@@ -1,6 +1,7 @@
 #include "render/figure/looks.h"
 
 #include "render/figure/mesh_source.h"
+#include "render/figure/picture_progress.h"
 #include "render/figure/stopwatch.h"
 #include "render/figure/subject.h"
 
@@ -26,8 +27,11 @@ void picture_looks(const FigureConfig& config, const FigureOptions& options, Fig
     figure.morphs.emplace_back().source = shape.report;
     std::vector<StageConfig> stages = config.stages;
     if (stages.empty()) stages.push_back({"", config.picture});
-    const double count = static_cast<double>(stages.size() * config.looks.size());
-    double before = 0;
+    std::size_t rows = 0, columns = 0;
+    for (std::size_t i = 0; i < stages.size(); ++i) rows += options.rows.has(i);
+    for (std::size_t j = 0; j < config.looks.size(); ++j) columns += options.cells.has(j);
+    PictureProgress progress(options.progress, "pictures", "cell", rows * columns);
+    std::size_t number = 0;
     for (std::size_t i = 0; i < stages.size(); ++i) {
         if (!options.rows.has(i)) continue;
         const StageConfig& stage = stages[i];
@@ -50,14 +54,14 @@ void picture_looks(const FigureConfig& config, const FigureOptions& options, Fig
                                     .spp = of_stage.spp,
                                     .sky = of_stage.sky};
             FigureCell cell = Subject(shooting, shape.mesh.V, shape.mesh.F)
-                                  .shoot(shape.mesh.V, options.progress.part("pictures", before, count));
+                                  .shoot(shape.mesh.V, progress.begin(++number, shooting.samples()));
+            progress.end(cell.samples, cell.rays);
             cell.label = look.label;
             cell.column = j;
             row.cells.push_back(std::move(cell));
-            ++before;
         }
     }
-    options.progress("pictures", 1);
+    progress.finish();
 }
 
 }  // namespace automorph

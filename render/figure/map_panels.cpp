@@ -99,6 +99,18 @@ double edge_width(const Shooting& shooting, const DomainMap& map, double radius)
     return std::min(drawing::scaled(shooting, 1.0 / 700, 0.5), kMostOfEdge * edge);
 }
 
+/// The border of an open shape on the sphere, where it faces the reader.
+/// @param places  #V x 3, on the page's axes; @param on_page  vertex -> pixels
+template <class OnPage>
+void draw_border(Canvas& canvas, const std::vector<int>& loop, const Points& places, const OnPage& on_page,
+                 double width) {
+    const Canvas::Pen pen{drawing::kInk, width};
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const int from = loop[i], to = loop[(i + 1) % loop.size()];
+        if (places(from, 2) + places(to, 2) > 0.0) canvas.line(on_page(from), on_page(to), pen);
+    }
+}
+
 }  // namespace
 
 MapPose MapPose::from_behind() const {
@@ -126,6 +138,10 @@ FigureCell map_drawing(const Shooting& shooting, const DomainMap& map, const Map
     };
     FigureCell cell;
     Canvas canvas(render::Image(shooting.width, shooting.height, 3, 1.0f));
+    // What an open shape leaves free of the sphere is seen as such: between the outline and the border.
+    const bool open_on_sphere = !map.loop.empty() && !map.on_disk();
+    const double outline = drawing::scaled(shooting, 1.0 / 250, 1.0);
+    if (open_on_sphere) canvas.dot(center, radius, drawing::kPaper, {drawing::kFaint, 0.5 * outline});
     const Canvas::Pen pen{drawing::kInk, edge_width(shooting, map, radius), 0.75};
     for (int f = 0; f < map.mesh.triangle_count(); ++f) {
         const std::vector<Eigen::Vector2d> corners{on_page(map.mesh.F(f, 0)), on_page(map.mesh.F(f, 1)),
@@ -136,6 +152,7 @@ FigureCell map_drawing(const Shooting& shooting, const DomainMap& map, const Map
         const bool filling = map.is_filling[static_cast<std::size_t>(f)] != 0;
         canvas.polygon(corners, filling ? drawing::kPaper : shade(shooting, pose.shape * normal), pen);
     }
+    if (open_on_sphere) draw_border(canvas, map.loop, places, on_page, outline);
     cell.image = canvas.image();
     return cell;
 }

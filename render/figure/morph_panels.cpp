@@ -77,7 +77,8 @@ MorphPanels morph_panels(const FigureConfig& config, const FigureOptions& option
     const Points &source = shapes.source.mesh.V, &target = shapes.target.mesh.V;
     const Shooting shooting =
         shooting_of(picture, options, feature_film(picture, options), {&source, &target});
-    panels.features = feature_panels(shooting, shapes.source, shapes.target, morph.report().features);
+    panels.features = feature_panels(shooting, PicturedShape(shooting, shapes.source.mesh),
+                                     PicturedShape(shooting, shapes.target.mesh), morph.report().features);
     return panels;
 }
 

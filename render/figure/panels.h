@@ -33,16 +33,36 @@ MapPose upright_pose(const DomainMap& map, const render::Camera& camera);
 /// @param R  turns the map's shape to where the other's lies
 MapPose pose_beside(const MapPose& other, const DomainMap& map, const Eigen::Matrix3d& R);
 
-/// A map as a triangulation, shaded like its shape; of a sphere, the near side.
+/// A map as a triangulation, shaded like its shape; of a sphere, the near side, with the border of an open
+/// shape.
 FigureCell map_drawing(const Shooting& shooting, const DomainMap& map, const MapPose& pose);
 
 /// Fig. 3: the two borders on the circle, own vertices filled and inserted ones hollow, and a part of both
 /// enlarged with labels.
 std::vector<FigureCell> border_panels(const Shooting& shooting, const BorderInsertion& insertion);
 
+/// A shape pictured once, to be marked as often as there are features to show.
+class PicturedShape {
+public:
+    PicturedShape(const Shooting& shooting, const Mesh& mesh);
+
+    const Mesh& mesh() const { return mesh_; }
+    const FigureCell& picture() const { return picture_; }
+
+    /// Whether the camera sees a vertex.
+    bool sees(int vertex) const { return subject_.sees(mesh_.V.row(vertex), normals_.row(vertex)); }
+
+private:
+    const Mesh& mesh_;
+    Points normals_;
+    Subject subject_;
+    FigureCell picture_;
+};
+
 /// Fig. 4: both shapes with their candidates; matched ones numbered, in the same colour on both.
-std::vector<FigureCell> feature_panels(const Shooting& shooting, const InputMesh& source,
-                                       const InputMesh& target, const std::vector<FeatureReport>& features);
+std::vector<FigureCell> feature_panels(const Shooting& shooting, const PicturedShape& source,
+                                       const PicturedShape& target,
+                                       const std::vector<FeatureReport>& features);
 
 namespace drawing {
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <functional>
 #include <string>
 #include <type_traits>
@@ -34,15 +33,6 @@ public:
 
     void operator()(const std::string& task, double fraction, const std::string& detail = {}) const {
         if (tell_) tell_(task, fraction, detail);
-    }
-
-    /// For one of the `count` parts that a task consists of, told its own finished fraction. The task is done
-    /// when the call at 1 says so, not with the last part.
-    /// @param done  parts before this one
-    std::function<void(double)> part(const std::string& task, double done, double count) const {
-        return [this, task, done, count](double fraction) {
-            (*this)(task, std::min((done + fraction) / count, 0.999));
-        };
     }
 
 private:

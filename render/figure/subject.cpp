@@ -12,10 +12,6 @@
 namespace automorph {
 namespace {
 
-render::Color color(const Eigen::Vector3d& rgb) {
-    return rgb.cast<float>().array();
-}
-
 render::FramingOptions framing_options(const PictureConfig& picture, const Film& film) {
     render::FramingOptions options;
     options.direction = picture.view;
@@ -28,7 +24,7 @@ render::FramingOptions framing_options(const PictureConfig& picture, const Film&
 
 render::Material material_of(const PictureConfig& picture, int width) {
     render::Material material;
-    material.base_color = color(picture.albedo);
+    material.base_color = color_of(picture.albedo);
     material.metallic = static_cast<float>(picture.material.metallic);
     material.roughness = static_cast<float>(picture.material.roughness);
     material.specular = static_cast<float>(picture.material.specular);
@@ -36,7 +32,7 @@ render::Material material_of(const PictureConfig& picture, int width) {
     material.ior = static_cast<float>(picture.material.ior);
     // A figure made smaller looks the same.
     material.wire_width = static_cast<float>(picture.wireframe.width * width / picture.width);
-    material.wire_color = color(picture.wireframe.color);
+    material.wire_color = color_of(picture.wireframe.color);
     return material;
 }
 
@@ -126,6 +122,7 @@ FigureCell Subject::shoot(const Points& V, const std::function<void(double)>& pr
         cell.layers = std::move(result.layers);
     }
     cell.seconds = result.wall_seconds;
+    cell.samples = result.samples;
     cell.rays = result.rays;
     cell.bad_samples = result.bad_samples;
     return cell;

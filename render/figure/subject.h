@@ -25,6 +25,9 @@ struct Shooting {
     int width = 0, height = 0, spp = 0;
     double adaptive_error = 0;  ///< render::RenderOptions; 0: all pixels take `spp`
     std::shared_ptr<const render::EquirectangularMap> sky;  ///< null without a picture of one
+
+    /// That a picture takes at most.
+    double samples() const { return static_cast<double>(width) * height * spp; }
 };
 
 /// Size and samples of pictures.

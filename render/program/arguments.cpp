@@ -1,6 +1,7 @@
 #include "render/program/arguments.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -8,11 +9,10 @@
 #include <cstdio>
 
 #include "render/figure/names.h"
+#include "render/figure/suggestion.h"
 #include "render/program/command_tree.h"
-#include "render/program/completion.h"
-#include "render/program/help_topics.h"
-#include "render/program/man_page.h"
 #include "render/program/option_groups.h"
+#include "render/program/text_commands.h"
 #include "render/program/version.h"
 
 namespace automorph::program {
@@ -73,10 +73,13 @@ void add_figure(CLI::App& app, FigureArguments& arguments) {
     add_choice(*command, "--quality", arguments.quality, kQualities,
                "draft: half the size, few paths, denoised, no turntable; final: twice the size, four times "
                "the paths");
-    command->add_option("--rows", arguments.rows, "Only these rows; the camera stays that of all")
+    command
+        ->add_option("--rows", arguments.rows,
+                     "Only these rows, counted from 1; the camera stays that of all")
         ->type_name("1,3-4");
-    command->add_option("--cells", arguments.cells, "Only these columns")->type_name("1-3");
-    command->add_option("--frames", arguments.frames, "Only these frames of the videos")->type_name("A-B");
+    command->add_option("--cells", arguments.cells, "Only these columns, counted from 1")->type_name("1-3");
+    command->add_option("--frames", arguments.frames, "Only these frames of the videos, counted from 1")
+        ->type_name("A-B");
     command
         ->add_option("--set", arguments.overrides,
                      "Sets a key of the config, e.g. picture.spp=16, rows[0].domain=disk; repeatable")
@@ -135,151 +138,49 @@ void add_morph(CLI::App& app, MorphArguments& arguments) {
     });
 }
 
-void add_shape_options(CLI::App& command, std::filesystem::path& out, ShapeOptions& options) {
-    command.add_option("OUT", out, "Mesh file to write")->type_name("FILE")->required();
-    command.add_option("--triangles", options.triangles, "How many, about")
-        ->check(CLI::Range(64, 10'000'000))
-        ->capture_default_str();
-    command.add_option("--seed", options.seed, "Another seed gives another tessellation")
-        ->capture_default_str();
-    command.add_option("--scale", options.scale, "Size")
-        ->check(CLI::Range(1e-9, 1e12))
-        ->capture_default_str();
-}
-
-void add_head(CLI::App& shapes, HeadArguments& head) {
-    CLI::App* command = shapes.add_subcommand("head", "A human head; every proportion can be changed");
-    add_shape_options(*command, head.out, head.options);
-    add_choice(*command, "--preset", head.preset, kHeadPresets, "Average or type");
-    add_choice(*command, "--crop", head.crop, kHeadCrops,
-               "Closed below, cut at the neck, or the face in front of the ears");
-    for (std::size_t k = 0; k < kHeadParameters.size(); ++k) {
-        const HeadParameter& each = kHeadParameters[k];
-        std::string flag = std::string("--") + each.name;
-        std::replace(flag.begin(), flag.end(), '_', '-');
-        command->add_option(flag, head.proportions[k], std::string(each.meaning) + " [the preset's]")
-            ->check(CLI::Range(each.least, each.most))
-            ->group("Proportions");
-    }
-}
-
-void add_shape(CLI::App& app, EllipsoidArguments& round, StarArguments& star, HeadArguments& head) {
-    CLI::App* command = app.add_subcommand("shape", "Generates a shape");
-    command->require_subcommand(1);
-    const CLI::Range positive(1e-9, 1e12);
-
-    CLI::App* ellipsoid = command->add_subcommand("ellipsoid", "An ellipsoid");
-    add_shape_options(*ellipsoid, round.out, round.options);
-    ellipsoid->add_option("--semi-axes", round.semi_axes, "Half extents in x, y, z")
-        ->expected(3)
-        ->check(positive)
-        ->capture_default_str();
-
-    CLI::App* arms = command->add_subcommand("star", "A smooth solid star in the xy-plane");
-    add_shape_options(*arms, star.out, star.options);
-    arms->add_option("--arms", star.parameters.arms, "How many")
-        ->check(CLI::Range(3, 12))
-        ->capture_default_str();
-    arms->add_option("--outer", star.parameters.outer, "Radius of the tips")
-        ->check(positive)
-        ->capture_default_str();
-    arms->add_option("--inner", star.parameters.inner, "Radius of the valleys")
-        ->check(positive)
-        ->capture_default_str();
-    arms->add_option("--depth", star.parameters.depth, "Half thickness")
-        ->check(positive)
-        ->capture_default_str();
-
-    add_head(*command, head);
-}
-
-struct TextArguments {
-    std::string topic;
-    bool man = false;
-    std::string shell;
-};
-
-using Completion = std::string (*)(const CommandEntry&);
-
-/// Null for a shell that has none.
-Completion completion_of(const std::string& shell) {
-    if (shell == "bash") return bash_completion;
-    if (shell == "fish") return fish_completion;
-    if (shell == "zsh") return zsh_completion;
-    return nullptr;
-}
-
-std::vector<const CLI::App*> every_command(const CLI::App& app) {
-    return app.get_subcommands([](const CLI::App*) { return true; });
-}
-
-/// To be called last: help names all the other commands.
-void add_texts(CLI::App& app, TextArguments& arguments) {
-    std::string topics;
-    for (const HelpTopic& topic : help_topics()) topics += std::string(topic.name) + "|";
-    for (const CLI::App* command : every_command(app)) topics += command->get_name() + "|";
-    topics.pop_back();
-    CLI::App* help =
-        app.add_subcommand("help", "Tells more about a topic or a command, and lists the topics");
-    help->add_option("TOPIC", arguments.topic, "Topic or command")->type_name(topics);
-    help->add_flag("--man", arguments.man, "Print all as a manual page: automorph help --man | man -l -");
-
-    CLI::App* completion =
-        app.add_subcommand("completion", "Prints a script that completes the command line");
-    completion->add_option("SHELL", arguments.shell, "Which shell's")
-        ->type_name("bash|fish|zsh")
-        ->required()
-        ->check([](const std::string& shell) {
-            return completion_of(shell) ? "" : "found '" + shell + "', allowed are bash|fish|zsh";
-        });
-    completion->footer(
-        "Examples:\n"
-        "  source <(automorph completion bash)      for this shell; in ~/.bashrc for all; zsh likewise\n"
-        "  automorph completion fish | source       in ~/.config/fish/config.fish for all");
-}
-
-int print_help(const CLI::App& app, const TextArguments& arguments) {
-    if (arguments.man) {
-        fmt::print("{}", man_page(command_tree(app), version()));
-        return 0;
-    }
-    if (arguments.topic.empty()) {
-        fmt::print("{}", list_of_topics());
-        return 0;
-    }
-    for (const HelpTopic& topic : help_topics()) {
-        if (arguments.topic == topic.name) {
-            fmt::print("{}\n\n{}", topic.title, topic.text);
-            return 0;
+/// What is wrong with a word that nothing takes. @param command  the innermost one given
+std::string about_extra(const CLI::App& app, const CLI::App& command, const std::string& word) {
+    std::vector<std::string> known;
+    if (word.size() > 1 && word.front() == '-') {
+        for (const CLI::App* each : {&command, &app}) {
+            for (const CLI::Option* option : each->get_options()) {
+                for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+            }
         }
+        return fmt::format("there is no option '{}'{}", word, suggestion(word, known));
     }
-    for (const CLI::App* command : every_command(app)) {
-        if (arguments.topic == command->get_name()) {
-            fmt::print("{}", command->help("automorph"));
-            return 0;
-        }
-    }
-    fmt::print(stderr, "automorph: there is no help on '{}' ('automorph help' lists what there is)\n",
-               arguments.topic);
-    return 1;
+    for (const CLI::App* each : every_command(command)) known.push_back(each->get_name());
+    if (known.empty()) return fmt::format("'{}' is one word too many", word);
+    return fmt::format("there is no command '{}'{}; there are {}", word, suggestion(word, known),
+                       fmt::join(known, ", "));
 }
 
-int print_completion(const CLI::App& app, const TextArguments& arguments) {
-    fmt::print("{}", completion_of(arguments.shell)(command_tree(app)));
-    return 0;
-}
-
-int refuse(const CLI::App& app, const CLI::ParseError& error) {
-    std::string command = "automorph";
-    for (const CLI::App* sub : app.get_subcommands()) command += " " + sub->get_name();
+/// Prints what is wrong with the command line.
+int refuse(const CLI::App& app, const CLI::ParseError& error, int count, const char* const* values) {
+    std::string path = "automorph";
+    const CLI::App* command = &app;
+    while (!command->get_subcommands().empty()) {
+        command = command->get_subcommands().front();
+        path += " " + command->get_name();
+    }
+    const bool lacks_command = !every_command(*command).empty();
     std::string message = error.what();
-    if (app.get_subcommands().empty() && app.remaining_size() > 0) {
-        message = fmt::format("there is no command '{}'", app.remaining().front());
+    if (lacks_command || dynamic_cast<const CLI::ExtrasError*>(&error)) {
+        const std::vector<std::string> left = app.remaining(true);
+        const auto extra = std::find_if(values + 1, values + count, [&](const std::string& word) {
+            return std::find(left.begin(), left.end(), word) != left.end();
+        });
+        if (extra != values + count) {
+            message = about_extra(app, *command, *extra);
+        } else if (lacks_command && dynamic_cast<const CLI::RequiredError*>(&error)) {
+            message = "a command is missing";
+        }
     }
-    for (char& c : message) {
-        if (c == '\n') c = ' ';
-    }
-    fmt::print(stderr, "automorph: {} (see '{} --help')\n", message, command);
+    // CLI11 counts: "--frames: At Most 1 required but received 2".
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) && message.find("At Most 1 ") != std::string::npos)
+        message = message.substr(0, message.find(':')) + " is given more than once";
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    fmt::print(stderr, "automorph: {} (see '{} --help')\n", message, path);
     return 1;
 }
 
@@ -335,21 +236,19 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
     config_command->add_flag("--schema", config.schema, "Print a JSON Schema of configs, for editors");
     config_command->add_option("CONFIG", config.checked, "YAML files to check")->type_name("YAML");
 
+    add_diff(app, diff);
     TextArguments texts;
     add_texts(app, texts);
-
-    add_diff(app, diff);
 
     try {
         app.parse(count, values);
     } catch (const CLI::ParseError& error) {
         // Help and version arrive here too.
         if (error.get_exit_code() == 0) return app.exit(error);
-        const int status = refuse(app, error);
+        const int status = refuse(app, error, count, values);
         return app.got_subcommand("diff") ? static_cast<int>(DiffStatus::CannotCompare) : status;
     }
-    if (app.got_subcommand("help")) return print_help(app, texts);
-    if (app.got_subcommand("completion")) return print_completion(app, texts);
+    if (const std::optional<int> status = print_text(app, texts)) return *status;
     if (arguments.quiet) arguments.log_level = LogLevel::Error;
     arguments.quiet = arguments.log_level < LogLevel::Info;
     CLI::App* shape_command = app.get_subcommand("shape");

@@ -35,7 +35,7 @@ CommandEntry entry(const CLI::App& app, std::vector<std::string> path) {
     for (const CLI::Option* option : app.get_options([](const CLI::Option*) { return true; })) {
         result.options.push_back(entry(*option));
     }
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    for (const CLI::App* command : every_command(app)) {
         std::vector<std::string> below = result.path;
         below.push_back(command->get_name());
         result.commands.push_back(entry(*command, std::move(below)));
@@ -74,6 +74,10 @@ std::vector<std::string> CommandEntry::flags_with_value() const {
         if (!option.value.empty()) result.insert(result.end(), option.flags.begin(), option.flags.end());
     }
     return result;
+}
+
+std::vector<const CLI::App*> every_command(const CLI::App& app) {
+    return app.get_subcommands([](const CLI::App*) { return true; });
 }
 
 CommandEntry command_tree(const CLI::App& app) {

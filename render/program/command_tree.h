@@ -40,4 +40,7 @@ struct CommandEntry {
 
 CommandEntry command_tree(const CLI::App& app);
 
+/// The commands right below, given or not.
+std::vector<const CLI::App*> every_command(const CLI::App& app);
+
 }  // namespace automorph::program

@@ -36,7 +36,7 @@ std::string range(const char* axis, int first, int extent) {
 
 /// "x 16-23, y 40-47, blue"
 std::string place_text(const Place& place, const std::vector<std::string>& channels) {
-    if (place.width == 0) return "nowhere";
+    if (place.width == 0) return "";
     const auto channel = static_cast<std::size_t>(place.channel);
     return fmt::format("{}, {}, {}", range("x", place.x, place.width), range("y", place.y, place.height),
                        channel < channels.size() ? channels[channel] : "?");
@@ -53,8 +53,9 @@ std::string change_text(const TestResult& test) {
 /// "blocks 8 x 8 at x 16-23, y 40-47, blue: 12.3, limit 5.1, +10.1 %"
 std::string finding_text(const PictureDiff& diff) {
     const TestResult& test = diff.comparison.worst();
-    return fmt::format("{} {:.4g} (limit {:.4g}) at {}: {}", test.name, test.value, test.limit,
-                       place_text(test.where, diff.channels), change_text(test));
+    const std::string text = fmt::format("{} {:.4g} (limit {:.4g})", test.name, test.value, test.limit);
+    if (test.where.width == 0) return text;
+    return fmt::format("{} at {}: {}", text, place_text(test.where, diff.channels), change_text(test));
 }
 
 std::string how_text(const PictureDiff& diff, const DiffArguments& arguments) {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
+#include <set>
 
 #include "morph/mesh/errors.h"
 #include "morph/mesh/write_file.h"
@@ -47,16 +47,14 @@ std::vector<Job> jobs_of(const FigureArguments& arguments) {
 
 void print_summary(const Figure& figure) {
     fmt::print("{}", meshes_summary(figure.morphs.front()));
-    std::size_t told = 0;  // morphs are numbered as rows first need them
+    std::set<std::size_t> told;  // morphs
     std::uint64_t bad = 0;
-    for (std::size_t i = 0; i < figure.rows.size(); ++i) {
-        const FigureRow& row = figure.rows[i];
-        const bool is_new = row.morph >= told;
-        fmt::print("\nrow {}: {}{}\n", i + 1, row.config.label,
+    for (const FigureRow& row : figure.rows) {
+        const bool is_new = told.insert(row.morph).second;
+        fmt::print("\nrow {}: {}{}\n", row.number + 1, row.config.label,
                    is_new ? "" : " (a morph above, moved otherwise)");
         if (is_new) fmt::print("{}", morph_summary(figure.morphs[row.morph]));
         for (const std::string& warning : row.warnings) fmt::print("{:<13} {}\n", "note", warning);
-        told = std::max(told, row.morph + 1);
         for (const FigureCell& cell : row.cells) bad += cell.bad_samples;
     }
     if (bad > 0) fmt::print("\n{} samples were not finite and left out; please report it\n", bad);
@@ -90,10 +88,10 @@ void run(const FigureArguments& arguments, const Surroundings& surroundings) {
         Figure figure = render_figure(job.config, options);
         make_clips(job.config, options, job.folder, figure);
         write_figure(job.config, figure, job.folder);
-        for (const Report& report : figure.morphs) {
-            for (const std::string& doubt : doubts(report)) surroundings.warn(doubt);
+        if (surroundings.quiet) {
+            for (const Report& report : figure.morphs) warn_of_doubts(report, surroundings);
+            continue;
         }
-        if (surroundings.quiet) continue;
         print_summary(figure);
         if (!figure.no_videos.empty()) fmt::print("\nno videos: {}\n", figure.no_videos);
         fmt::print(

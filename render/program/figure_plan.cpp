@@ -7,6 +7,7 @@
 
 #include "morph/shapes/shapes.h"
 #include "render/figure/clips.h"
+#include "render/figure/mesh_source.h"
 #include "render/figure/subject.h"
 #include "render/video/video_encoder.h"
 
@@ -29,14 +30,11 @@ std::size_t selected(const Selection& selection, std::size_t count) {
 Counts counts_of(const FigureConfig& config, const FigureOptions& options) {
     Counts counts;
     const bool morphs = config.show == Show::Morph;
-    const std::size_t rows = std::max<std::size_t>(1, config.rows.size());
-    const std::size_t columns = morphs                       ? config.alphas.size()
-                                : config.show == Show::Shape ? config.turns.size()
-                                                             : 2;
-    options.rows.check(rows, "row");
-    options.cells.check(columns, "cell");
-    counts.rows = selected(options.rows, rows);
-    counts.columns = selected(options.cells, columns);
+    const FigureGrid grid = figure_grid(config);
+    options.rows.check(grid.rows, "row");
+    options.cells.check(grid.columns, "cell");
+    counts.rows = selected(options.rows, grid.rows);
+    counts.columns = selected(options.cells, grid.columns);
     if (!morphs) return counts;
     std::vector<bool> needed(static_cast<std::size_t>(config.video.frames / 2 + 1), false);
     for (int i = 0; i < config.video.frames; ++i) {
@@ -79,6 +77,11 @@ double morph_seconds(const RowConfig& row, double thousands) {
     return 0;
 }
 
+/// Of a shape as asked for, of a file as it is.
+double triangle_count(const MeshConfig& mesh, const std::string& name) {
+    return mesh.file.empty() ? mesh.triangles : make_mesh(mesh, name).mesh.triangle_count();
+}
+
 std::string duration(double seconds) {
     if (seconds < 90) return fmt::format("{:.0f} s", std::max(1.0, seconds));
     return fmt::format("{:.0f} min", seconds / 60);
@@ -99,9 +102,10 @@ std::string figure_plan(const FigureConfig& config, const FigureOptions& options
     constexpr double kTaken = 0.5;
     const int frames = counts.stills * static_cast<int>(counts.rows) + counts.turntable;
     const double films = kTaken * video.width * video.height * config.video.spp * frames / rate;
+    double thousands = triangle_count(config.source, "source") / 1000;
+    if (!config.rows.empty()) thousands += triangle_count(config.target, "target") / 1000;
     double morphs = 0;
-    for (const RowConfig& row : config.rows)
-        morphs += morph_seconds(row, (config.source.triangles + config.target.triangles) / 1000.0);
+    for (const RowConfig& row : config.rows) morphs += morph_seconds(row, thousands);
 
     std::string text = fmt::format("{}: would make in {}\n", config.file.string(), folder.string());
     text += fmt::format("  {} x {} cells of {} x {} pixels, {} paths each: EXR, PNG, sheet.png\n",

@@ -27,6 +27,11 @@ Without meshes at hand, make some:
     automorph shape head b.ply --preset broad --crop face
     automorph morph a.ply b.ply --out m.glb
 
+Videos of a shape turning, or of the morph meanwhile:
+
+    automorph turntable a.ply --out turn.mp4
+    automorph turntable a.ply b.ply --out ab.mp4
+
 Rendered rows and sheets of cells come from a config:
 
     automorph figure my.yaml
@@ -72,8 +77,12 @@ a value out of range is refused with file:line:column and what is allowed.
     automorph config --explain      every key: type, default, meaning
     automorph config my.yaml        checks without rendering
 
-The configs of the paper's figures come with the program; the Debian package
-has them in /usr/share/automorph/configs.
+Copy configs/pair.yaml to begin with; the Debian package has it, and the
+configs of the paper's figures, in /usr/share/automorph/configs.
+
+A mesh that stands otherwise than the other is turned by its own key:
+
+    source: {file: a.obj, rotation: {axis: [1, 0, 0], degrees: 90}}
 )"};
 
 constexpr HelpTopic kFigures{"figures", "Rendered figures",
@@ -91,7 +100,9 @@ seed give the same pixels, whatever the number of threads.
 
 picture.spp is the number of light paths per pixel: noise halves with four
 times as many. picture.up is the direction that points up, z unless said
-otherwise; faces often have y: up: [0, 1, 0].
+otherwise; scans of faces often have y, and are seen from the front with
+
+    picture: {up: [0, 1, 0], view: [0, 0, -1]}
 )"};
 
 constexpr HelpTopic kOutputFiles{"output-files", "What 'automorph morph' writes",
@@ -137,8 +148,10 @@ features         only with --alignment features: points of high curvature found,
                  taken for the same, and brought to one place
 overlay          the merged mesh: the vertices of both, and where their edges
                  cross
+openings         triangles that filled eyes, mouth and so on, taken out again
 note             what you should know
 time             in all and of each step, and the most memory used
+written          the files
 
 --report r.json has the same and more as numbers.
 )"};
@@ -149,7 +162,8 @@ constexpr HelpTopic kBlender{"blender", "A morph in Blender, three.js and viewer
 Blender: File > Import > glTF 2.0, then play. The animation takes 48 frames at
 24 per second (--seconds 2). Shapes stand upright; with --up z, world
 coordinates are those of your mesh files. The shape key "target" is the morph,
-the object's rotation and location its rigid part.
+the object's rotation and location its rigid part. Vertices that no triangle
+uses are left out by Blender.
 
 Debian 12's Blender 3.4 stops with "module 'numpy' has no attribute 'bool'" on
 any glTF file with normals. In the import dialog, set Shading to Smooth Shading.

@@ -118,7 +118,8 @@ std::string man_page(const CommandEntry& program, const std::string& version) {
     }
     text +=
         ".SH EXIT STATUS\n0 if all went well, 1 otherwise; \\fBautomorph info\\fR: 1 if a mesh cannot be "
-        "morphed.\n"
+        "morphed; "
+        "\\fBautomorph diff\\fR: 1 if pictures differ, 2 if they cannot be compared.\n"
         ".SH SEE ALSO\nR. Urtasun, M. Salzmann, P. Fua: \\fI3D Morphing without User Interaction\\fR, "
         "2004.\n";
     return text;

@@ -6,6 +6,7 @@
 #include "morph/shapes/head.h"
 #include "morph/shapes/shapes.h"
 #include "render/figure/config.h"
+#include "render/figure/figure.h"
 #include "render/program/commands.h"
 
 namespace automorph::program {
@@ -48,8 +49,9 @@ void run(const ConfigArguments& arguments, const Surroundings& surroundings) {
     for (const std::filesystem::path& file : arguments.checked) {
         const FigureConfig config = load_config(file);
         if (surroundings.quiet) continue;
-        fmt::print("{}: valid, {} row{} of {} cells\n", file.string(), config.rows.size(),
-                   config.rows.size() == 1 ? "" : "s", config.alphas.size());
+        const FigureGrid grid = figure_grid(config);
+        fmt::print("{}: valid, {} row{} of {} cells\n", file.string(), grid.rows, grid.rows == 1 ? "" : "s",
+                   grid.columns);
     }
 }
 

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <system_error>
+
 #include "morph/export/write_glb.h"
 #include "morph/frame_check.h"
 #include "morph/mesh/errors.h"
@@ -13,14 +15,22 @@
 namespace automorph::program {
 namespace {
 
+bool is_folder(const std::filesystem::path& file) {
+    std::error_code error;
+    return std::filesystem::is_directory(file, error);
+}
+
 /// What can be refused is refused before the work.
 void prepare_outputs(const MorphArguments& arguments) {
-    if (!arguments.out.empty() && !is_mesh_file(arguments.out) && !is_glb_file(arguments.out)) {
+    if (!arguments.out.empty() && !is_folder(arguments.out) && !is_mesh_file(arguments.out) &&
+        !is_glb_file(arguments.out)) {
         throw IoError(fmt::format(
             "{}: a morph is written as .glb (one animated file), or as numbered .off, .obj, .ply or .stl",
             arguments.out.string()));
     }
     for (const auto& file : {arguments.out, arguments.correspondence, arguments.report}) {
+        if (is_folder(file))
+            throw IoError(fmt::format("{}: is a folder; give the name of a file", file.string()));
         if (file.has_parent_path()) make_folder(file.parent_path());
     }
 }
@@ -59,10 +69,14 @@ void run(const MorphArguments& arguments, const Surroundings& surroundings) {
     };
     const Morph result = morph(source, target, options);
     surroundings.progress("morph", 1.0);
-    if (!surroundings.quiet)
-        fmt::print("{}{}", meshes_summary(result.report()), morph_summary(result.report()));
-
-    for (const std::string& doubt : doubts(result.report())) surroundings.warn(doubt);
+    // Frames that somebody is going to see are looked at.
+    const bool seen = !arguments.out.empty() || !arguments.report.empty();
+    const Report report = seen ? report_with_frames(result, arguments.interpolation) : result.report();
+    print_morph(report, surroundings);
+    if (surroundings.quiet) {
+        for (std::size_t k = result.report().notes.size(); k < report.notes.size(); ++k)
+            surroundings.warn(report.notes[k]);
+    }
 
     std::string written;
     if (!arguments.out.empty()) written += write_morph(arguments, result, surroundings.progress);
@@ -71,7 +85,7 @@ void run(const MorphArguments& arguments, const Surroundings& surroundings) {
         written += arguments.correspondence.string() + "\n";
     }
     if (!arguments.report.empty()) {
-        write_file(arguments.report, report_json(report_with_frames(result, arguments.interpolation)));
+        write_file(arguments.report, report_json(report));
         written += arguments.report.string() + "\n";
     }
     if (surroundings.quiet) return;

@@ -52,6 +52,9 @@ CLI::Option* add_choice(CLI::App& command, const std::string& flag, E& value,
 /// How a morph is made and moves.
 void add_morph_options(CLI::App& command, MorphOptions& options, Interpolation& interpolation);
 
+/// The subcommand `shape`, with one of its own per shape.
+void add_shape(CLI::App& app, EllipsoidArguments& ellipsoid, StarArguments& star, HeadArguments& head);
+
 /// The subcommand `turntable`.
 void add_turntable(CLI::App& app, TurntableArguments& arguments);
 

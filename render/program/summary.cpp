@@ -48,6 +48,11 @@ void add_maps(std::string& text, const Report& report) {
             "map           {}: {}{}, {} flipped, 99 % of the surface shrunk less than {:.2g} times\n", map.of,
             map.weights, map.reason.empty() ? "" : " (" + map.reason + ")", map.flipped, 1 / map.p01);
     }
+    if (!report.alignment.limb_matches.empty()) {
+        text += fmt::format("limbs         {} and {} found (arms, legs, horns), {} laid on one another\n",
+                            report.alignment.limbs_source, report.alignment.limbs_target,
+                            report.alignment.limb_matches.size());
+    }
     for (const FeatureReport& features : report.features) {
         text += fmt::format("features      {} candidates, {} matched, {} laid on one another\n",
                             features.candidates_source.size(), features.matches.size(), features.in_place);
@@ -91,6 +96,15 @@ std::vector<std::string> doubts(const Report& report) {
     if (registration.used && !registration.converged)
         sentences.emplace_back("the registration has not converged");
     return sentences;
+}
+
+void warn_of_doubts(const Report& report, const Surroundings& surroundings) {
+    for (const std::string& doubt : doubts(report)) surroundings.warn(doubt);
+}
+
+void print_morph(const Report& report, const Surroundings& surroundings) {
+    if (surroundings.quiet) return warn_of_doubts(report, surroundings);
+    fmt::print("{}{}", meshes_summary(report), morph_summary(report));
 }
 
 std::string morph_summary(const Report& report) {

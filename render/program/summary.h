@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "morph/report.h"
+#include "render/program/commands.h"
 
 namespace automorph::program {
 
@@ -16,5 +17,11 @@ std::string morph_summary(const Report& report);
 
 /// What makes a morph doubtful, one sentence each; usually none.
 std::vector<std::string> doubts(const Report& report);
+
+/// Those as warnings, for where no summary is printed.
+void warn_of_doubts(const Report& report, const Surroundings& surroundings);
+
+/// Prints both summaries, or else warns.
+void print_morph(const Report& report, const Surroundings& surroundings);
 
 }  // namespace automorph::program

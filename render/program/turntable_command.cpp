@@ -1,14 +1,7 @@
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
-#include <tuple>
 #include <utility>
 
 #include "morph/mesh/admit.h"
@@ -24,11 +17,9 @@
 #include "render/image/image_file.h"
 #include "render/program/axis.h"
 #include "render/program/commands.h"
-#include "render/program/frame_files.h"
 #include "render/program/interrupt.h"
 #include "render/program/summary.h"
-#include "render/program/timeline_names.h"
-#include "render/program/version.h"
+#include "render/program/turntable_files.h"
 #include "render/turntable/sequence.h"
 #include "render/video/video_encoder.h"
 
@@ -36,34 +27,6 @@ namespace automorph::program {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-
-/// Where everything goes.
-struct Targets {
-    fs::path pattern;  ///< of the frames
-    fs::path video;    ///< empty: none
-};
-
-Targets targets_of(const fs::path& out) {
-    const std::string extension = out.extension().string();
-    if (extension == ".png" || extension == ".exr") return {out, {}};
-    if (extension == ".mp4" || extension == ".webm") {
-        const std::string stem = out.stem().string();
-        return {out.parent_path() / (stem + "_frames") / (stem + "_.png"), out};
-    }
-    throw IoError(fmt::format("{}: a turntable is written as .png, .exr, .mp4 or .webm", out.string()));
-}
-
-std::string file_content(const fs::path& file) {
-    errno = 0;
-    std::ifstream stream(file, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    if (stream.bad() || !stream.is_open() || fs::is_directory(file)) {
-        throw IoError(fmt::format("{}: cannot be read: {}", file.string(),
-                                  errno != 0 ? std::strerror(errno) : "it is no file"));
-    }
-    return bytes;
-}
 
 turntable::StageOptions stage_options(const TurntableArguments& arguments, int threads) {
     turntable::StageOptions options;
@@ -79,45 +42,6 @@ turntable::StageOptions stage_options(const TurntableArguments& arguments, int t
     options.seed = arguments.seed;
     options.threads = threads;
     return options;
-}
-
-/// All that every frame depends on.
-Json common_inputs(const TurntableArguments& arguments, const turntable::StageOptions& stage) {
-    const auto hash = [](const fs::path& mesh) { return render::content_hash(file_content(mesh)); };
-    Json json;
-    json["version"] = version();
-    json["mesh"] = hash(arguments.source);
-    if (!arguments.target.empty()) {
-        json["target"] = hash(arguments.target);
-        json["alignment"] = name_of(kAlignments, arguments.morph.alignment);
-        json["interpolation"] = name_of(kInterpolations, arguments.interpolation);
-        json["openings"] = name_of(kOpenings, arguments.morph.openings);
-        json["domain"] = name_of(kDomains, arguments.morph.domain);
-        json["lift"] = arguments.morph.lift;
-    }
-    const turntable::TimelineOptions& timeline = arguments.timeline;
-    json["frames"] = timeline.frames;
-    json["start"] = timeline.start;
-    json["revolutions"] = timeline.revolutions;
-    json["turn_easing"] = name_of(kEasings, timeline.turn_easing);
-    if (timeline.alpha) {
-        json["alpha"] = *timeline.alpha;
-    } else {
-        json["loop"] = name_of(kLoops, timeline.loop);
-        json["easing"] = name_of(kEasings, timeline.morph_easing);
-        json["hold"] = timeline.hold;
-    }
-    json["up"] = {stage.up.x(), stage.up.y(), stage.up.z()};
-    json["view"] = {stage.view.x(), stage.view.y(), stage.view.z()};
-    json["elevation"] = stage.elevation;
-    json["fov"] = stage.fov;
-    json["margin"] = stage.margin;
-    json["normals"] = name_of(kNormals, stage.normals);
-    json["width"] = stage.width;
-    json["height"] = stage.height;
-    json["spp"] = stage.spp;
-    json["seed"] = stage.seed;
-    return json;
 }
 
 /// A mesh alone need not be fit for morphing to be turned: handles, several parts and so on are welcome.
@@ -159,42 +83,10 @@ turntable::Shape morphing_shape(const TurntableArguments& arguments, const Surro
     const auto result = std::make_shared<const Morph>(
         morph(make_mesh(source, "source"), make_mesh(target, "target"), options));
     surroundings.progress("morph", 1);
-    if (!surroundings.quiet)
-        fmt::print("{}{}", meshes_summary(result->report()), morph_summary(result->report()));
-    for (const std::string& doubt : doubts(result->report())) surroundings.warn(doubt);
+    print_morph(result->report(), surroundings);
     return {result->triangles(), [result, scheme = arguments.interpolation](double alpha) {
                 return result->frame(alpha, scheme);
             }};
-}
-
-turntable::Sequence sequence_of(const TurntableArguments& arguments, const turntable::StageOptions& stage,
-                                const fs::path& pattern) {
-    turntable::Sequence sequence;
-    const int count = arguments.timeline.frames;
-    std::tie(sequence.first, sequence.last) = turntable::frame_range(arguments.frame_range, count);
-    for (int frame = 0; frame < count; ++frame) sequence.files.push_back(numbered(pattern, frame, count));
-    sequence.inputs = [common = common_inputs(arguments, stage)](int frame) {
-        Json json = common;
-        json["frame"] = frame;
-        return json.dump();
-    };
-    return sequence;
-}
-
-/// What killed runs left of the frames that this run is to make.
-void clean_up(const turntable::Sequence& sequence, const fs::path& video) {
-    std::set<std::string> names;
-    for (int frame = sequence.first; frame <= sequence.last; ++frame)
-        names.insert(sequence.files[static_cast<std::size_t>(frame)].filename().string());
-    remove_leftovers(sequence.files.front().parent_path(),
-                     [&](const std::string& name) { return names.count(name) > 0; });
-    if (video.empty()) return;
-    const std::string own = video.filename().string(), record = own + ".txt",
-                      log = video.stem().string() + ".log";
-    remove_leftovers(video.parent_path(),
-                     [&](const std::string& name) { return name == own || name == log; });
-    remove_leftovers(sequence.files.front().parent_path(),
-                     [&](const std::string& name) { return name == record; });
 }
 
 void make_missing(const TurntableArguments& arguments, const turntable::StageOptions& options,
@@ -243,8 +135,8 @@ void encode(const std::vector<fs::path>& frames, double fps, const fs::path& vid
 }
 
 /// Makes the video unless it is up to date. A text file beside the frames tells what it was made of.
-void make_video(const TurntableArguments& arguments, const Targets& targets, turntable::Sequence sequence,
-                const Surroundings& surroundings) {
+void make_video(const TurntableArguments& arguments, const TurntableTargets& targets,
+                turntable::Sequence sequence, const Surroundings& surroundings) {
     sequence.first = 0;
     sequence.last = arguments.timeline.frames - 1;
     const std::size_t open = turntable::open_frames(sequence).size();
@@ -280,16 +172,16 @@ void make_video(const TurntableArguments& arguments, const Targets& targets, tur
 void run(const TurntableArguments& given, const Surroundings& surroundings) {
     TurntableArguments arguments = given;
     if (arguments.target.empty()) arguments.timeline.alpha = 0;
-    const Targets targets = targets_of(arguments.out);
+    const TurntableTargets targets = turntable_targets(arguments.out);
     // What can be refused is refused before the work.
     turntable::timeline(arguments.timeline);
     const turntable::StageOptions stage = stage_options(arguments, surroundings.threads);
     turntable::check(stage);
-    const turntable::Sequence sequence = sequence_of(arguments, stage, targets.pattern);
+    const turntable::Sequence sequence = turntable_sequence(arguments, stage, targets.pattern);
     make_folder(targets.pattern.parent_path());
     if (!targets.video.empty() && !has_ffmpeg())
         surroundings.warn("there is no ffmpeg: frames will be made, but no video");
-    clean_up(sequence, targets.video);
+    remove_turntable_leftovers(sequence, targets.video);
     set_stop_advice("; the same command again goes on, finished frames are kept");
 
     std::vector<turntable::OpenFrame> open;

@@ -2,21 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <optional>
 
 #include "morph/mesh/errors.h"
-#include "render/figure/stopwatch.h"
+#include "render/figure/picture_progress.h"
 
 namespace automorph::turntable {
 namespace {
-
-/// "3.4 M".
-std::string rate_text(double per_second) {
-    return per_second >= 1e5 ? fmt::format("{:.1f} M", 1e-6 * per_second)
-                             : fmt::format("{:.1f} k", 1e-3 * per_second);
-}
 
 std::optional<int> number(const std::string& text) {
     int value = 0;
@@ -40,38 +33,19 @@ std::vector<OpenFrame> open_frames(const Sequence& sequence) {
 std::vector<MadeFrame> make_frames(Stage& stage, const std::vector<Moment>& moments, const Sequence& sequence,
                                    const std::vector<OpenFrame>& frames, const Progress& progress,
                                    const std::function<void(const MadeFrame&)>& told) {
-    const Stopwatch watch;
     std::vector<MadeFrame> made;
-    double samples = 0, rays = 0;  // of the frames before
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        const int frame = frames[i].frame;
-        const std::string place = fmt::format("frame {} ({} of {})", frame, i + 1, frames.size());
-        const double per_frame = stage.samples();
-        const auto tell = [&](double fraction) {
-            if (!progress) return;
-            // The sequence is done when its last file is written, not before.
-            const double done =
-                (static_cast<double>(i) + std::min(fraction, 0.999)) / static_cast<double>(frames.size());
-            std::string detail = place;
-            const double seconds = watch.seconds(), taken = samples + fraction * per_frame;
-            if (seconds > 0.5) {
-                detail += fmt::format(", {} samples/s", rate_text(taken / seconds));
-                // Rays are counted when a frame is done.
-                if (samples > 0)
-                    detail += fmt::format(", {} rays/s", rate_text(rays / samples * taken / seconds));
-            }
-            progress("turntable", done, detail);
-        };
-        tell(0);
+    PictureProgress telling(progress, "turntable", "frame", frames.size());
+    for (const OpenFrame& open : frames) {
+        const int frame = open.frame;
         const render::RenderResult result =
-            stage.picture(moments[static_cast<std::size_t>(frame)], frame, tell);
+            stage.picture(moments[static_cast<std::size_t>(frame)], frame,
+                          telling.begin(static_cast<std::size_t>(frame), stage.samples()));
         write_frame(sequence.files[static_cast<std::size_t>(frame)], result.image, sequence.inputs(frame));
-        samples += static_cast<double>(result.samples);
-        rays += static_cast<double>(result.rays);
+        telling.end(result.samples, result.rays);
         made.push_back({frame, result.wall_seconds, result.rays, result.bad_samples});
         if (told) told(made.back());
     }
-    if (!frames.empty()) progress("turntable", 1);
+    if (!frames.empty()) telling.finish();
     return made;
 }
 

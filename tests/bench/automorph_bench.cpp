@@ -6,6 +6,7 @@
 #include "overlay_bench.h"
 #include "tests/bench/accuracy_bench.h"
 #include "tests/bench/cycles_bench.h"
+#include "tests/bench/limbs_bench.h"
 #include "tests/bench/pairs_bench.h"
 #include "tests/bench/registration_bench.h"
 #include "tests/bench/render_bench.h"
@@ -23,9 +24,13 @@ constexpr const char* kHelp =
     "                                           pairs of the meshes in build/meshes and DIR, each in a "
     "process "
     "of its own\n"
-    "automorph_bench registration [--poses N] [--seed N] [--only TEXT]\n"
+    "automorph_bench registration [--poses N] [--seed N] [--only TEXT] [--open3d]\n"
     "                                           shapes found again from any pose, with noise, with parts "
-    "missing\n"
+    "missing;\n"
+    "                                           --open3d: beside FPFH + RANSAC + ICP of Open3D\n"
+    "automorph_bench limbs [A B]...             what laying arms, legs, horns on one another gives on these "
+    "pairs\n"
+    "                                           of build/meshes\n"
     "automorph_bench render [PART]...           what the path tracer costs, beside the smallest path tracer "
     "and Cycles;\n"
     "                                           parts: rays, threads, memory, moving, start, noise, denoise\n"
@@ -46,6 +51,8 @@ int main(int argc, char** argv) {
             return automorph::bench::pairs_bench({arguments.begin() + 1, arguments.end()});
         if (!arguments.empty() && arguments[0] == "registration")
             return automorph::bench::registration_bench({arguments.begin() + 1, arguments.end()});
+        if (!arguments.empty() && arguments[0] == "limbs")
+            return automorph::bench::limbs_bench({arguments.begin() + 1, arguments.end()});
         if (!arguments.empty() && arguments[0] == "render")
             return automorph::bench::render_bench({arguments.begin() + 1, arguments.end()});
         if (!arguments.empty() && arguments[0] == "cycles")

@@ -9,12 +9,15 @@
 #include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include "morph/alignment/coarse.h"
 #include "morph/alignment/places.h"
 #include "morph/mesh/connectivity.h"
 #include "morph/morph.h"
 #include "morph/registration/registration.h"
+#include "tests/bench/open3d.h"
 #include "tests/morph/registration/shapes.h"
 
 namespace automorph::bench {
@@ -86,7 +89,19 @@ double shape_distance(const Mesh& found, const Mesh& truth) {
            bounding_box_diagonal(truth.V);
 }
 
-void attempt(const Mesh& mesh, const Mesh& other, Kind kind, std::uint64_t seed, Tally& tally) {
+double cpu_seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// A shape and a posed copy of it, which are to be registered.
+struct Trial {
+    Mesh source, target;
+    Mesh truth;  ///< the clean shape in the true pose
+    Eigen::Matrix3d R;
+    double scale;
+};
+
+Trial trial(const Mesh& mesh, const Mesh& other, Kind kind, std::uint64_t seed) {
     test::Random random(seed);
     const Eigen::Matrix3d R = random.rotation();
     const Eigen::Vector3d t = 5.0 * random.normal3();
@@ -98,22 +113,62 @@ void attempt(const Mesh& mesh, const Mesh& other, Kind kind, std::uint64_t seed,
         b = test::with_noise(b, noise, random);
     }
     if (kind == Kind::Part) b = part_of(b, random);
-    const Registration found = register_rigid(a, test::moved(b, R, t, scale), {.seed = seed});
-    const double degrees = Eigen::AngleAxisd(found.R * R.transpose()).angle() * 180.0 / std::numbers::pi;
+    return {std::move(a), test::moved(b, R, t, scale), test::moved(mesh, R, t, scale), R, scale};
+}
+
+void judge(const Trial& trial, const Mesh& mesh, const Eigen::Matrix3d& found, bool confident, Tally& tally) {
+    const double degrees = Eigen::AngleAxisd(found * trial.R.transpose()).angle() * 180.0 / std::numbers::pi;
     ++tally.tries;
     // What the size of a part says of the whole is judged apart: the turn only.
     const bool right = degrees < kSuccess;
-    Mesh placed = test::moved(mesh, found.R, t, scale);
-    placed.V.rowwise() += test::moved(mesh, R, t, scale).V.colwise().mean() - placed.V.colwise().mean();
-    const bool as_good = !right && shape_distance(placed, test::moved(mesh, R, t, scale)) < kSameShape;
+    Mesh placed = test::moved(mesh, found, Eigen::Vector3d::Zero(), trial.scale);
+    placed.V.rowwise() += trial.truth.V.colwise().mean() - placed.V.colwise().mean();
+    const bool as_good = !right && shape_distance(placed, trial.truth) < kSameShape;
     tally.right += right;
     tally.as_good += as_good;
-    tally.wrong_but_sure += !right && !as_good && found.confident;
-    tally.right_but_unsure += right && !found.confident;
+    tally.wrong_but_sure += !right && !as_good && confident;
+    tally.right_but_unsure += right && !confident;
 }
 
-double cpu_seconds() {
-    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+/// Ours, and Open3D's of the same trials.
+struct Row {
+    std::array<Tally, kKinds.size()> ours, theirs;
+    double seconds = 0, their_seconds = 0;  ///< CPU, each
+};
+
+Row registered(const Mesh& mesh, int poses, std::uint64_t seed, bool open3d) {
+    const Mesh other = test::re_tessellated(mesh);
+    Row row;
+    for (std::size_t k = 0; k < kKinds.size(); ++k) {
+        std::vector<Trial> trials;
+        std::vector<std::pair<Mesh, Mesh>> pairs;
+        for (int pose = 0; pose < poses; ++pose) {
+            const std::uint64_t pose_seed = seed + static_cast<std::uint64_t>(pose);
+            trials.push_back(trial(mesh, other, kKinds[k], pose_seed));
+            const double before = cpu_seconds();
+            const Registration found =
+                register_rigid(trials.back().source, trials.back().target, {.seed = pose_seed});
+            row.seconds += (cpu_seconds() - before) / (static_cast<double>(kKinds.size()) * poses);
+            judge(trials.back(), mesh, found.R, found.confident, row.ours[k]);
+            pairs.emplace_back(trials.back().source, trials.back().target);
+        }
+        if (!open3d) continue;
+        const std::vector<Open3dPose> their = open3d_rotations(pairs);
+        for (std::size_t pose = 0; pose < their.size(); ++pose) {
+            row.their_seconds += their[pose].cpu_seconds / (static_cast<double>(kKinds.size()) * poses);
+            judge(trials[pose], mesh, their[pose].R, true, row.theirs[k]);
+        }
+    }
+    return row;
+}
+
+void print_cells(const std::array<Tally, kKinds.size()>& tallies, double seconds, bool judges_itself) {
+    for (const Tally& tally : tallies) {
+        const bool bad = judges_itself && tally.wrong_but_sure > 0;
+        fmt::print(" {}{} |", tally.cell(),
+                   bad ? fmt::format(", {} wrong and sure", tally.wrong_but_sure) : "");
+    }
+    fmt::print(" {:.2f} |", seconds);
 }
 
 void print_time_at_10k() {
@@ -142,6 +197,7 @@ int registration_bench(const std::vector<std::string>& words) {
     int poses = 5;
     std::uint64_t seed = 1;
     std::string only;
+    bool open3d = false;
     for (std::size_t k = 0; k < words.size(); ++k) {
         const bool last = k + 1 == words.size();
         if (words[k] == "--poses" && !last) {
@@ -150,16 +206,26 @@ int registration_bench(const std::vector<std::string>& words) {
             seed = std::stoull(words[++k]);
         } else if (words[k] == "--only" && !last) {
             only = words[++k];
+        } else if (words[k] == "--open3d") {
+            open3d = true;
         } else {
             fmt::print(stderr, "registration: '{}' is no option, or lacks its value\n", words[k]);
             return 2;
         }
     }
+    if (open3d && !has_open3d()) {
+        fmt::print("Open3D is not installed (Debian package python3-open3d): ours alone\n\n");
+        open3d = false;
+    }
     fmt::print("within {} degrees + other poses that fit as well, of {} poses\n\n| mesh | vertices |",
                kSuccess, poses);
-    for (const char* kind : kKindNames) fmt::print(" {} |", kind);
-    fmt::print(" s each |\n|---|---|---|---|---|---|---|\n");
-    std::array<Tally, kKinds.size()> totals;
+    for (const char* whose : {"", "Open3D, "}) {
+        if (*whose && !open3d) continue;
+        for (const char* kind : kKindNames) fmt::print(" {}{} |", whose, kind);
+        fmt::print(" {}CPU s each |", whose);
+    }
+    fmt::print("\n|---|---|---|---|---|---|---|{}\n", open3d ? "---|---|---|---|---|" : "");
+    Row totals;
     for (const std::string& name : kMeshes) {
         if (name.find(only) == std::string::npos) continue;
         const std::string file = std::string(AUTOMORPH_DEMO_MESHES) + "/" + name + ".off";
@@ -167,32 +233,29 @@ int registration_bench(const std::vector<std::string>& words) {
             fmt::print(stderr, "registration: there is no {}\n", file);
             return 2;
         }
-        const Mesh mesh = load_mesh(file).mesh, other = test::re_tessellated(mesh);
+        const Mesh mesh = load_mesh(file).mesh;
+        const Row row = registered(mesh, poses, seed, open3d);
         fmt::print("| {} | {} |", name, mesh.vertex_count());
-        const auto start = std::chrono::steady_clock::now();
-        for (std::size_t k = 0; k < kKinds.size(); ++k) {
-            Tally tally;
-            for (int pose = 0; pose < poses; ++pose)
-                attempt(mesh, other, kKinds[k], seed + static_cast<std::uint64_t>(pose), tally);
-            totals[k].add(tally);
-            fmt::print(
-                " {}{} |", tally.cell(),
-                tally.wrong_but_sure > 0 ? fmt::format(", {} wrong and sure", tally.wrong_but_sure) : "");
-            std::fflush(stdout);
-        }
-        const double seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        fmt::print(" {:.2f} |\n", seconds / (static_cast<double>(kKinds.size()) * poses));
+        print_cells(row.ours, row.seconds, true);
+        if (open3d) print_cells(row.theirs, row.their_seconds, false);
+        fmt::print("\n");
         std::fflush(stdout);
+        for (std::size_t k = 0; k < kKinds.size(); ++k) {
+            totals.ours[k].add(row.ours[k]);
+            totals.theirs[k].add(row.theirs[k]);
+        }
     }
     fmt::print("\n");
     for (std::size_t k = 0; k < kKinds.size(); ++k) {
-        const Tally& tally = totals[k];
+        const Tally &tally = totals.ours[k], &theirs = totals.theirs[k];
         fmt::print(
-            "{}: {:.1f} % right; of {} wrong ones {} reported as sure; of {} right ones {} as unsure\n",
+            "{}: {:.1f} % right; of {} wrong ones {} reported as sure; of {} right ones {} as unsure{}\n",
             kKindNames[k], 100.0 * (tally.right + tally.as_good) / tally.tries,
             tally.tries - tally.right - tally.as_good, tally.wrong_but_sure, tally.right,
-            tally.right_but_unsure);
+            tally.right_but_unsure,
+            open3d ? fmt::format("; Open3D {:.1f} % right",
+                                 100.0 * (theirs.right + theirs.as_good) / theirs.tries)
+                   : "");
     }
     print_time_at_10k();
     return 0;

@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 
+#include "morph/mesh/errors.h"
 #include "morph/mesh/geometry.h"
 #include "morph/morph.h"
 #include "morph/shapes/shapes.h"
@@ -70,6 +71,19 @@ Mesh spring() {
         },
         [](double s) {
             return 0.12 * std::sqrt(std::max(1e-3, std::min({1.0, 8 * s, 8 * (1 - s)})));
+        });
+}
+
+/// An open knot: a trefoil that does not quite meet its beginning again.
+Mesh knot() {
+    return tube(
+        240,
+        [](double s) {
+            const double t = 0.06 + 6.16 * s, r = 2.0 + std::cos(3.0 * t);
+            return Vector3d(r * std::cos(2.0 * t), r * std::sin(2.0 * t), 1.5 * std::sin(3.0 * t));
+        },
+        [](double s) {
+            return 0.25 * std::sqrt(std::max(1e-3, std::min({1.0, 8 * s, 8 * (1 - s)})));
         });
 }
 
@@ -189,6 +203,74 @@ TEST_CASE("short borders go onto the sphere and keep their places") {
 
 TEST_CASE("a spring, which planes cut many times, is morphed on the sphere", "[sweep]") {
     CHECK(checked(spring(), lopsided(0.0)).report().domain == "sphere");
+}
+
+TEST_CASE("an open knot, which no plane cuts into two disks, says so, and is morphed on the sphere",
+          "[sweep]") {
+    const Mesh mesh = knot();
+    CHECK(checked(mesh, lopsided(0.0)).report().domain == "sphere");
+    CHECK(checked(spring(), mesh).report().domain == "sphere");
+    MorphOptions cut;
+    cut.domain = Domain::Cut;
+    try {
+        morph(admit_mesh(mesh), admit_mesh(lopsided(0.0)), cut);
+        FAIL("a plane was found");
+    } catch (const SolverFailure& failure) {
+        CHECK(std::string(failure.what()).find("the domain auto or sphere needs no plane") !=
+              std::string::npos);
+    }
+}
+
+TEST_CASE("triangles of 1e-12 in the maps are overlaid without a fault") {
+    // A finger of 16 radii on a short border: the disk shrinks it by e^-16 towards its tip.
+    Mesh finger = tube(
+        60, [](double s) { return Vector3d(1.7 * s, 0, 0); },
+        [](double s) {
+            return 0.1 * std::sqrt(std::max(1e-3, std::min({1.0, 8 * s, 8 * (1 - s)})));
+        });
+    int kept = 0;
+    for (int f = 0; f < finger.triangle_count(); ++f) {
+        const auto x = [&](int k) { return finger.V(finger.F(f, k), 0); };
+        if (std::min({x(0), x(1), x(2)}) > 0.1) finger.F.row(kept++) = finger.F.row(f);
+    }
+    finger.F.conservativeResize(kept, 3);
+    finger = admit_mesh(finger).mesh;
+    MorphOptions options;
+    options.domain = Domain::Disk;
+    options.alignment = Alignment::Registration;
+    options.keep_maps = true;
+    for (const Mesh& other : {lopsided(0.3), finger}) {
+        const Morph result = checked(finger, other, options);
+        const DomainMap& map = result.maps().front().source;
+        double smallest = 1.0;
+        for (int f = 0; f < map.mesh.triangle_count(); ++f) {
+            const auto corner = [&](int k) { return Vector3d(map.rays.row(map.mesh.F(f, k))); };
+            smallest = std::min(smallest, corner(0).dot(corner(1).cross(corner(2))));
+        }
+        INFO("smallest " << smallest);
+        CHECK(smallest < 1e-12);
+    }
+}
+
+TEST_CASE("what the disk squeezes to nothing is refused with a way out", "[sweep]") {
+    const Mesh hair = hairy();
+    Mesh open = hair;  // the hair without its ball
+    int kept = 0;
+    for (int f = 0; f < hair.triangle_count(); ++f) {
+        if (std::min({hair.V(hair.F(f, 0), 0), hair.V(hair.F(f, 1), 0), hair.V(hair.F(f, 2), 0)}) > 1.0)
+            open.F.row(kept++) = hair.F.row(f);
+    }
+    open.F.conservativeResize(kept, 3);
+    MorphOptions disk;
+    disk.domain = Domain::Disk;
+    disk.alignment = Alignment::Registration;
+    try {
+        morph(admit_mesh(open), admit_mesh(lopsided(0.3)), disk);
+        FAIL("the disk took it");
+    } catch (const SolverFailure& failure) {
+        CHECK(std::string(failure.what()).find("choose the domain auto or sphere") != std::string::npos);
+    }
+    checked(admit_mesh(open).mesh, lopsided(0.3));
 }
 
 TEST_CASE("a hair of thirty radii, whose map is tiny, is no trouble", "[sweep]") {

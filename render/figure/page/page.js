@@ -78,7 +78,7 @@
 
   // Median, 95 % and worst of each map on a logarithmic axis from 1.
   function distortionPlot(maps) {
-    const width = 320, left = 96, right = 308, line = 30, top = 8;
+    const width = 320, left = 96, right = 298, line = 30, top = 8;
     const height = top + maps.length * line + 38;
     const values = maps.flatMap((map) => [map.area_distortion.worst, map.angle_distortion.worst]).filter((v) => v !== null);
     const decades = Math.max(1, Math.ceil(Math.log10(Math.max(...values, 1)) - 1e-9));
@@ -173,15 +173,16 @@
 
   // ---- Videos lie beside the page.
   function drawVideos() {
-    const films = data.rows.map((row) => [row.video, row.label]);
-    films.push([data.turntable, "Turntable"]);
-    for (const [video, label] of films) {
+    const films = data.rows.map((row) => [row.video, row.label, row.motion?.stills[0]]);
+    films.push([data.turntable, "Turntable", data.rows.at(-1).cells.at(-1)?.image]);
+    for (const [video, label, poster] of films) {
       if (!video || video.files.length === 0) continue;
       const player = element("video", {
         controls: "", loop: "", muted: "", playsinline: "", preload: "metadata", width: video.width, height: video.height,
         "aria-label": label,
       });
       player.muted = true;
+      if (poster) player.poster = poster;
       const types = { mp4: "video/mp4", webm: "video/webm" };
       for (const file of video.files) player.append(element("source", { src: file, type: types[file.split(".").pop()] }));
       const links = element("p", { class: "quiet" });

@@ -121,7 +121,7 @@ TEST_CASE("Cropped heads are disks whose border lies on the surface and on the c
             if (crop == HeadCrop::Head) {
                 CHECK(p.y() == Approx(-15.3).margin(1e-10));
             } else {
-                CHECK(p.z() == Approx(2.2 + 0.045 * (p.y() + 2) * (p.y() + 2)).margin(1e-10));
+                CHECK(p.z() == Approx(2.2 + 0.034 * (p.y() + 2) * (p.y() + 2)).margin(1e-10));
             }
         }
         CHECK(length > 1.0);

@@ -87,11 +87,16 @@ std::string misfit(const Json& value, const Json& schema, const std::string& pat
             const std::string found = misfit(inner, schema["properties"][key], path + "." + key);
             if (!found.empty()) return found;
         }
-        if (schema.contains("required")) {
-            for (const Json& key : schema["required"]) {
-                if (!value.contains(key.get<std::string>())) return path + " lacks " + key.get<std::string>();
+        const auto lacks = [&value = value](const Json& part) -> std::string {
+            if (!part.contains("required")) return "";
+            for (const Json& key : part["required"]) {
+                if (!value.contains(key.get<std::string>())) return key.get<std::string>();
             }
-        }
+            return "";
+        };
+        if (!lacks(schema).empty()) return path + " lacks " + lacks(schema);
+        if (schema.contains("if") && !lacks(schema["if"]).empty() && !lacks(schema["else"]).empty())
+            return path + " lacks " + lacks(schema["else"]);
     }
     return "";
 }
@@ -141,6 +146,8 @@ TEST_CASE("the schema refuses what the reader refuses") {
     const std::string shortest = "source: a.off\ntarget: b.off\nrows: [{label: one}]\n";
     CHECK(misfit(shortest) == "");
     CHECK(misfit(shortest + "alphas: [0, 1/3, 1]\n") == "");
+    CHECK(misfit("target: b.off\n") == "config lacks source");
+    CHECK(misfit("extends: other.yaml\ntarget: b.off\n") == "");  // it may have the source
     for (const char* wrong :
          {"target: b.off\n", "source: {file: a, colour: red}\n", "source: [a]\n",
           "source: a\npicture: {spp: 0}\n", "source: a\npicture: {spp: many}\n",

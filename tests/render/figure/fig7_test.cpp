@@ -1,3 +1,4 @@
+#include "morph/frame_check.h"
 #include "morph/mesh/geometry.h"
 #include "render/figure/config.h"
 #include "render/figure/mesh_source.h"
@@ -20,6 +21,14 @@ TEST_CASE("figure 7: Section 3 alone loses volume halfway, the registered morph 
               Approx(signed_volume(source.mesh)).epsilon(0.01));
         CHECK(signed_volume(m.mesh(1, row.interpolation)) ==
               Approx(signed_volume(target.mesh)).epsilon(0.01));
+        // What is wrong with the first row the user is told, and nothing about the second.
+        const Report report = report_with_frames(m, row.interpolation);
+        CHECK((report.notes.size() > m.report().notes.size()) == (i == 0));
+        for (const FrameReport& frame : report.frames) {
+            if (i == 0) continue;
+            CHECK(frame.reversed == 0);
+            CHECK(frame.self_intersecting == 0);
+        }
         halfway[i] = signed_volume(m.mesh(0.5, row.interpolation)) / whole;
     }
     INFO("volume at 1/2 over the mean of the ends: " << halfway[0] << " and " << halfway[1]);

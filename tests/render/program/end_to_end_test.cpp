@@ -165,6 +165,24 @@ TEST_CASE("a figure is made from a config into out/ and its name") {
     CHECK(figure.out.find("out/tiny/sheet.png") != std::string::npos);
     CHECK(figure.err.find('\r') == std::string::npos);  // no terminal, no bar
     CHECK(figure.err.find("pictures of row 1 (only): ") != std::string::npos);
+    // Pixels per metre, as a cell of 32 of them is four centimetres wide in print.
+    const std::string sheet = content(folder / "out/tiny/sheet.png");
+    const auto size = sheet.find("pHYs");
+    REQUIRE(size + 13 <= sheet.size());
+    int per_metre = 0;
+    for (std::size_t i = 4; i < 8; ++i)
+        per_metre = 256 * per_metre + static_cast<unsigned char>(sheet[size + i]);
+    CHECK(std::abs(per_metre - 800) <= 2);
+    CHECK(sheet.substr(size + 4, 4) == sheet.substr(size + 8, 4));
+    CHECK(sheet[size + 12] == 1);  // the unit is the metre
+}
+
+TEST_CASE("config FILE counts the cells of every kind of figure") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "turns.yaml") << "show: shape\nsource: {shape: star}\nturns: [0, 30, 60]\n";
+    std::ofstream(folder / "map.yaml") << "show: map\nsource: {shape: ellipsoid}\n";
+    CHECK(run_program(folder, "config turns.yaml").out == "turns.yaml: valid, 1 row of 3 cells\n");
+    CHECK(run_program(folder, "config map.yaml").out == "map.yaml: valid, 1 row of 2 cells\n");
 }
 
 TEST_CASE("every error is one line on stderr and status 1, and leaves nothing behind") {
@@ -174,6 +192,7 @@ TEST_CASE("every error is one line on stderr and status 1, and leaves nothing be
     std::ofstream(folder / "gone.yaml")
         << "source: gone.off\ntarget: b.ply\nrows: [{label: x}]\noutput: made\n";
     std::ofstream(folder / "broken.off") << "OFF\n3 1 0\n0 0 0\n1 0 zero\n0 1 0\n3 0 1 2\n";
+    fs::create_directory(folder / "folder.glb");
     const std::set<std::string> before = names_in(folder.path());
     const auto check = [&](const std::string& arguments, const std::string& phrase) {
         const Run result = run_program(folder, arguments + " -q");
@@ -203,12 +222,22 @@ TEST_CASE("every error is one line on stderr and status 1, and leaves nothing be
     check("figure bad.yaml --set rowz=1 --set picture.spq=2", "bad.yaml:3:1: unknown key 'rowz'");
     check("figure gone.yaml --rows 1-", "--rows '1-': expected");
     check("figure gone.yaml --dry-run --rows 2", "row 2: there are 1");
+    check("figure gone.yaml --dry-run", "gone.off");
     check("figure gone.yaml --quality best", "draft|normal|final");
     check("figure gone.yaml", "gone.off");
     check("figure no.yaml", "no.yaml");
     check("figure gone.yaml --out a.off/x", "a.off");
     check("info gone.off", "gone.off");
     check("fly", "there is no command 'fly'");
-    check("", "subcommand");
+    check("shpe head x.ply", "there is no command 'shpe'; did you mean 'shape'?");
+    check("shape had x.ply",
+          "there is no command 'had'; did you mean 'head'?; there are ellipsoid, star, head");
+    check("morph a.off b.ply --outt m.glb", "there is no option '--outt'; did you mean '--out'?");
+    check("morph a.off b.ply c.ply", "'c.ply' is one word too many");
+    check("morph a.off b.ply --frames 2 --out m_.ply --frames 3", "--frames is given more than once");
+    check("help meshs", "there is no help on 'meshs'; did you mean 'meshes'?");
+    check("", "a command is missing");
+    check("morph a.off b.ply --out folder.glb", "folder.glb: is a folder");
+    check("morph a.off b.ply --out .", ".: is a folder");
     CHECK((!fs::exists(folder / "made") || fs::is_empty(folder / "made")));
 }
