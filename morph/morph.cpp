@@ -23,6 +23,7 @@
 #include "morph/parameterization/map_quality.h"
 #include "morph/registration/registration.h"
 #include "morph/report_of.h"
+#include "morph/shading.h"
 #include "morph/stage_clock.h"
 
 namespace automorph {
@@ -361,6 +362,8 @@ private:
         triangles = merged_.F;
         ends.a = merged_.points_a;
         ends.b = merged_.points_b;
+        ends.shading_a = shading_correction(source_shape_, merged_.on_a, ends.a, triangles);
+        ends.shading_b = shading_correction(target_shape_, merged_.on_b, ends.b, triangles);
         ends.R = registration_.R;
         ends.centre_a = centre_of_mass(source_.mesh);
         ends.centre_b = centre_of_mass(target_.mesh);
@@ -415,6 +418,10 @@ const Triangles& Morph::triangles() const {
 
 Points Morph::frame(double alpha, Interpolation scheme) const {
     return interpolate(ends_, alpha, scheme);
+}
+
+Points Morph::shading(double alpha, Interpolation scheme) const {
+    return interpolate_shading(ends_, alpha, scheme);
 }
 
 Mesh Morph::mesh(double alpha, Interpolation scheme) const {

@@ -75,6 +75,10 @@ public:
     Points frame(double alpha, Interpolation scheme = Interpolation::Slerp) const;  ///< #V x 3
     Mesh mesh(double alpha, Interpolation scheme = Interpolation::Slerp) const;     ///< frame and triangles
 
+    /// What to add to the frame's area-weighted unit normals (and normalise again) for smooth shading, #V x
+    /// 3: the ends then look as their own meshes do, not as the facets of the merged one.
+    Points shading(double alpha, Interpolation scheme = Interpolation::Slerp) const;
+
     /// Where each vertex of the source file goes on the target's surface, in the target file's coordinates;
     /// rows of vertices that no triangle uses are NaN. #(file vertices of the source) x 3
     Points correspondence() const;

@@ -21,9 +21,15 @@ Points relative(const Points& V, const Eigen::Vector3d& centre) {
     return V.rowwise() - centre.transpose();
 }
 
-Shape shape(const Triangles& F, Points positions) {
+/// @param shading  what smooth shading lacks (Endpoints), or empty
+Shape shape(const Triangles& F, Points positions, const Points& shading) {
     Shape result{std::move(positions), {}};
-    result.normals = vertex_normals({result.positions, F});
+    if (shading.rows() == 0) {
+        result.normals = vertex_normals({result.positions, F});
+    } else {
+        result.normals = area_weighted_normals(result.positions, F) + shading;
+        for (auto normal : result.normals.rowwise()) normal.stableNormalize();
+    }
     return result;
 }
 
@@ -78,11 +84,13 @@ MorphAnimation animate(const Triangles& F, const Endpoints& ends, const Animatio
 
     MorphAnimation result;
     result.offset = (0.5 * (ends.centre_a + ends.centre_b)).cast<float>().cast<double>();
-    result.base = shape(F, a);
+    result.base = shape(F, a, ends.shading_a);
     if (parabolas) {
-        result.targets = {shape(F, 0.5 * (a * R.transpose() + b * R)), shape(F, b)};
+        result.targets = {shape(F, 0.5 * (a * R.transpose() + b * R),
+                                0.5 * (ends.shading_a * R.transpose() + ends.shading_b * R)),
+                          shape(F, b, ends.shading_b)};
     } else {
-        result.targets = {shape(F, b * R)};  // row by row R^T b
+        result.targets = {shape(F, b * R, ends.shading_b * R)};  // row by row R^T b
         if (!R.isIdentity(0.0)) result.turns = turns(R, options.seconds);
     }
     complete_normals(result.base, result.targets.back());

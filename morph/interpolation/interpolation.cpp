@@ -44,6 +44,14 @@ Eigen::Matrix3d slerp(const Eigen::Matrix3d& R, double alpha) {
     return part.toRotationMatrix();
 }
 
+Points interpolate_shading(const Endpoints& ends, double alpha, Interpolation scheme) {
+    Endpoints shading;
+    shading.a = ends.shading_a;
+    shading.b = ends.shading_b;
+    shading.R = ends.R;
+    return interpolate(shading, alpha, scheme);
+}
+
 Points interpolate(const Endpoints& ends, double alpha, Interpolation scheme) {
     assert(ends.a.rows() == ends.b.rows());
     assert(0.0 <= alpha && alpha <= 1.0);

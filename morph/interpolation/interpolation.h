@@ -14,6 +14,7 @@ struct Endpoints {
     Points a, b;                                      ///< #V x 3 each, in their files' units
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  ///< rotation source -> target, det = +1
     Eigen::Vector3d centre_a = Eigen::Vector3d::Zero(), centre_b = Eigen::Vector3d::Zero();  ///< of mass
+    Points shading_a, shading_b;  ///< #V x 3 each, or empty: what smooth shading lacks there, see shading.h
 };
 
 /// V(alpha), #V x 3; bit for bit `a` at alpha = 0 and `b` at alpha = 1, for every scheme. In between, with
@@ -33,6 +34,10 @@ struct Endpoints {
 ///              mass.
 /// @pre a and b have the same size, R is a rotation, 0 <= alpha <= 1
 Points interpolate(const Endpoints& ends, double alpha, Interpolation scheme);
+
+/// What smooth shading lacks in between: (1 - alpha) M shading_a + alpha M R^T shading_b, as the vertices
+/// move; #V x 3, or empty if the ends have none.
+Points interpolate_shading(const Endpoints& ends, double alpha, Interpolation scheme);
 
 /// Slerp(1, R, alpha) of unit quaternions, as a matrix: the turn about R's axis by alpha times its angle,
 /// which is in [0, pi]. At exactly pi both ways round are equally short; the one taken depends on R only.

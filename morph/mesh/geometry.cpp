@@ -80,6 +80,16 @@ Points vertex_normals(const Mesh& mesh) {
     return normals;
 }
 
+Points area_weighted_normals(const Points& V, const Triangles& F) {
+    Points normals = Points::Zero(V.rows(), 3);
+    for (Eigen::Index f = 0; f < F.rows(); ++f) {
+        const Eigen::Vector3d area = doubled_area_vector(V, F, f);
+        for (int k = 0; k < 3; ++k) normals.row(F(f, k)) += area.transpose();
+    }
+    for (Eigen::Index v = 0; v < V.rows(); ++v) normals.row(v).stableNormalize();
+    return normals;
+}
+
 double signed_volume(const Mesh& mesh) {
     const Eigen::Vector3d origin = centre_of_mass(mesh);
     double volume = 0.0;

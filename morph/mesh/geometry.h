@@ -29,6 +29,10 @@ Eigen::VectorXd vertex_areas(const Mesh& mesh);
 /// 1998). A vertex whose incident triangles all have zero area gets the zero vector.
 Points vertex_normals(const Mesh& mesh);
 
+/// Unit vertex normals (#V x 3), each triangle weighted by its area: the needles of merged meshes, whose own
+/// normals are rounding, do not count. Zero where there is no area.
+Points area_weighted_normals(const Points& V, const Triangles& F);
+
 /// Signed volume enclosed by a closed mesh; positive when the triangles face outwards.
 double signed_volume(const Mesh& mesh);
 

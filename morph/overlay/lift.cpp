@@ -19,9 +19,6 @@ using Eigen::Vector3d;
 /// tan(theta / 2) at the largest angle between the normals of a site and of a corner: 60 degrees.
 const double kMaxBend = std::tan(M_PI / 6.0);
 
-/// Cosine of 30 degrees: triangles of a crease of 60 degrees. Coarse spheres of 80 triangles are below it.
-const double kCrease = std::cos(M_PI / 6.0);
-
 Vector3d flat(const Points& V, const Site& site) {
     if (site.count == 1) return V.row(site.corners[0]);
     Vector3d p = Vector3d::Zero();
@@ -66,14 +63,15 @@ Points place(const Points& V, const std::vector<Site>& sites) {
     return points;
 }
 
-Points smooth_normals(const Mesh& mesh) {
+Points smooth_normals(const Mesh& mesh, double crease) {
+    const double least = std::cos(crease * M_PI / 180.0);
     Points normals = vertex_normals(mesh);
     std::vector<char> sharp(static_cast<std::size_t>(mesh.vertex_count()), 0);
     for (int f = 0; f < mesh.triangle_count(); ++f) {
         const Vector3d n = doubled_area_vector(mesh.V, mesh.F, f).stableNormalized();
         if (n.isZero(0.0)) continue;
         for (int k = 0; k < 3; ++k)
-            sharp[static_cast<std::size_t>(mesh.F(f, k))] |= normals.row(mesh.F(f, k)).dot(n) < kCrease;
+            sharp[static_cast<std::size_t>(mesh.F(f, k))] |= normals.row(mesh.F(f, k)).dot(n) < least;
     }
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         if (sharp[static_cast<std::size_t>(v)]) normals.row(v).setZero();

@@ -15,9 +15,12 @@ Site compose(const Site& site, const std::vector<Site>& vertices);
 /// Sum of weights times corners, #sites x 3. Sites at a vertex are that vertex, bit for bit.
 Points place(const Points& V, const std::vector<Site>& sites);
 
-/// Vertex normals for lift(), #V x 3: zero where a triangle faces more than kCrease away from its vertex'
+constexpr double kLiftCrease =
+    30.0;  ///< degrees: triangles of a crease of 60; coarse spheres of 80 triangles are below
+
+/// Unit vertex normals, #V x 3: zero where a triangle faces more than `crease` degrees away from its vertex'
 /// normal. What lies around an edge or a corner of a solid is no patch of a smooth surface, and stays flat.
-Points smooth_normals(const Mesh& mesh);
+Points smooth_normals(const Mesh& mesh, double crease = kLiftCrease);
 
 /// Curved placement [Krabacher01], [Urtasun04] Sec. 4.4, Eq. (9)-(11): a site p with interpolated unit normal
 /// n goes to p + n sum b_i alpha_i. On a sphere with exact normals every lifted point lies on the sphere.

@@ -99,6 +99,7 @@ Clip row_clip(const FigureConfig& config, const Shooting& shooting, const Figure
     for (const int still : stills) {
         const double alpha = loop_alpha(still, frames);
         const Points frame = row.motion.at(alpha);
+        subject.correct_normals(row.motion.shading(alpha));
         const FigureCell cell =
             subject.shoot(frame, colors.of(frame), progress.begin(pictures.size() + 1, shooting.samples()),
                           static_cast<std::uint32_t>(still));
@@ -141,6 +142,11 @@ public:
         return turned(frame, centre_, up_, 360.0 * index / frames_);
     }
 
+    Points turned_shading(int index) const {
+        return turned(motion_.shading(loop_alpha(index, frames_)), Eigen::RowVector3d::Zero(), up_,
+                      360.0 * index / frames_);
+    }
+
 private:
     const Motion& motion_;
     Eigen::Vector3d up_;
@@ -172,6 +178,7 @@ Clip turntable_clip(const FigureConfig& config, const FigureOptions& options, co
     PictureProgress progress(options.progress, task, "frame", indices.size());
     for (const int i : indices) {
         const Points frame = table.frame(i);
+        subject.correct_normals(table.turned_shading(i));
         const FigureCell cell = subject.shoot(table.turned_frame(frame, i), colors.of(frame),
                                               progress.begin(static_cast<std::size_t>(i), shooting.samples()),
                                               static_cast<std::uint32_t>(i));

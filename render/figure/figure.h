@@ -55,6 +55,7 @@ struct Motion {
     Interpolation scheme = Interpolation::Slerp;
 
     Points at(double alpha) const { return morph->frame(alpha, scheme); }
+    Points shading(double alpha) const { return morph->shading(alpha, scheme); }
 };
 
 /// A loop from the source to the target and back, as pictures for the page.

@@ -10,6 +10,9 @@ public:
     /// @param scale  of the colours; none: the frames have no colours
     RowSubject(const Shooting& shooting, const FigureRow& row, const std::optional<ColorScale>& scale);
 
+    /// What smooth shading of the next picture lacks: Motion::shading(), turned as the frame is.
+    void correct_normals(const Points& corrections) { subject_.correct_normals(corrections); }
+
     /// Takes the picture of a frame.
     /// @param V        #V x 3: where its vertices are in the picture
     /// @param numbers  #V: color_field() of the frame; not looked at without a scale

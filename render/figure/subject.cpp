@@ -94,6 +94,10 @@ void Subject::color(const Eigen::VectorXd& values, const ColorScale& scale) {
     scene_.color_mesh(mesh_, render::viridis_colors(values, scale.low, scale.high));
 }
 
+void Subject::correct_normals(const Points& corrections) {
+    scene_.correct_normals(mesh_, corrections);
+}
+
 void Subject::mark(const std::vector<int>& vertices) {
     markers_.emplace(scene_, vertices, shooting_.picture.markers.radius * shooting_.bounds.radius());
 }

@@ -68,6 +68,9 @@ public:
     /// Colours the surface by a scalar per vertex from now on.
     void color(const Eigen::VectorXd& values, const ColorScale& scale);
 
+    /// What smooth shading of the next picture lacks, #V x 3, as Morph::shading().
+    void correct_normals(const Points& corrections);
+
     /// Puts small spheres on vertices of the surface, which go along with it.
     void mark(const std::vector<int>& vertices);
 

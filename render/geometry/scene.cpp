@@ -37,6 +37,10 @@ void Scene::move_mesh(int mesh, const std::vector<Points>& steps) {
     embree_->moved(static_cast<std::uint32_t>(mesh));
 }
 
+void Scene::correct_normals(int mesh, const Points& corrections) {
+    meshes_[static_cast<std::size_t>(mesh)].correct_normals(corrections);
+}
+
 bool Scene::has_motion() const {
     return std::any_of(meshes_.begin(), meshes_.end(),
                        [](const TriangleMesh& mesh) { return mesh.time_steps() > 1; });

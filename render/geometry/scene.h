@@ -69,6 +69,11 @@ public:
     /// @throws InvalidMesh if the number of vertices or of steps differs
     void move_mesh(int mesh, const std::vector<Points>& steps);
 
+    /// From the next move_mesh() on added to the unit normals that are computed, which are normalised again;
+    /// #V x 3, none take them away.
+    /// @throws InvalidMesh if the number of corrections is neither #V nor 0
+    void correct_normals(int mesh, const Points& corrections);
+
     /// Whether any mesh moves during the exposure.
     bool has_motion() const;
 

@@ -33,7 +33,7 @@ float largest_coordinate(const std::vector<float>& positions) {
 }
 
 // Those without a direction become the zero vector.
-std::vector<float> unit_normals(Points normals) {
+Points with_unit_rows(Points normals) {
     for (Eigen::Index i = 0; i < normals.rows(); ++i) {
         const double length = normals.row(i).norm();
         if (length > 0.0 && std::isfinite(length)) {
@@ -42,12 +42,16 @@ std::vector<float> unit_normals(Points normals) {
             normals.row(i).setZero();
         }
     }
-    return to_floats(normals, 0);
+    return normals;
+}
+
+std::vector<float> unit_normals(Points normals) {
+    return to_floats(with_unit_rows(std::move(normals)), 0);
 }
 
 // Unit vertex normals, each triangle weighted by its area: the needles of merged meshes, whose own normals
 // are rounding, do not count. Vertices without one get the zero vector.
-std::vector<float> area_weighted_normals(const Points& V, const std::vector<std::uint32_t>& indices) {
+Points area_weighted_normals(const Points& V, const std::vector<std::uint32_t>& indices) {
     Points sums = Points::Zero(V.rows(), 3);
     for (std::size_t f = 0; f + 2 < indices.size(); f += 3) {
         const std::array<Vec3d, 3> p{V.row(indices[f]), V.row(indices[f + 1]), V.row(indices[f + 2])};
@@ -55,7 +59,7 @@ std::vector<float> area_weighted_normals(const Points& V, const std::vector<std:
         if (!area_normal.allFinite()) continue;
         for (std::size_t k = 0; k < 3; ++k) sums.row(indices[f + k]) += area_normal;
     }
-    return unit_normals(std::move(sums));
+    return with_unit_rows(std::move(sums));
 }
 
 }  // namespace
@@ -105,9 +109,20 @@ void TriangleMesh::move(const std::vector<Points>& steps) {
         const std::vector<float> moved = to_floats(steps[i], kPadding);
         std::copy(moved.begin(), moved.end(), positions_[i].begin());
         largest = std::max(largest, largest_coordinate(positions_[i]));
-        if (follow) normals_.push_back(area_weighted_normals(steps[i], indices_));
+        if (!follow) continue;
+        Points normals = area_weighted_normals(steps[i], indices_);
+        if (corrections_.rows() != 0) normals += corrections_;
+        normals_.push_back(unit_normals(std::move(normals)));
     }
     ray_offset_ = kRayOffset * largest;
+}
+
+void TriangleMesh::correct_normals(const Points& corrections) {
+    if (corrections.rows() != 0 && corrections.rows() != vertex_count()) {
+        throw InvalidMesh(fmt::format("{} corrections of normals are given for {} vertices",
+                                      corrections.rows(), vertex_count()));
+    }
+    corrections_ = corrections;
 }
 
 void TriangleMesh::color(const Points& colors) {

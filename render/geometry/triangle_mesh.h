@@ -27,6 +27,11 @@ public:
     /// @throws InvalidMesh if the number of vertices or of steps differs
     void move(const std::vector<Points>& steps);
 
+    /// From the next move() on added to the unit normals that are computed, which are normalised again: what
+    /// the tessellation does not show of the surface. #V x 3; none: nothing.
+    /// @throws InvalidMesh if their number is neither #V nor 0
+    void correct_normals(const Points& corrections);
+
     int time_steps() const { return static_cast<int>(positions_.size()); }
 
     int vertex_count() const { return static_cast<int>((positions_.front().size() - kPadding) / 3); }
@@ -71,6 +76,7 @@ private:
     std::vector<std::vector<float>> positions_;  ///< by time step
     std::vector<std::uint32_t> indices_;
     std::vector<std::vector<float>> normals_;  ///< by time step #V x 3; one if given, none if flat
+    Points corrections_;                       ///< of normals, #V x 3, may be empty
     std::vector<float> colors_;                ///< #V x 3, may be empty
     bool smooth_;
     bool given_normals_ = false;

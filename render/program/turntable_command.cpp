@@ -84,9 +84,9 @@ turntable::Shape morphing_shape(const TurntableArguments& arguments, const Surro
         morph(make_mesh(source, "source"), make_mesh(target, "target"), options));
     surroundings.progress("morph", 1);
     print_morph(result->report(), surroundings);
-    return {result->triangles(), [result, scheme = arguments.interpolation](double alpha) {
-                return result->frame(alpha, scheme);
-            }};
+    const Interpolation scheme = arguments.interpolation;
+    return {result->triangles(), [result, scheme](double alpha) { return result->frame(alpha, scheme); },
+            [result, scheme](double alpha) { return result->shading(alpha, scheme); }};
 }
 
 void make_missing(const TurntableArguments& arguments, const turntable::StageOptions& options,

@@ -61,6 +61,7 @@ Stage::Stage(Shape shape, const std::vector<Moment>& moments, const StageOptions
     surface.normals = options.normals;
     surface.material = render::clay();
     mesh_ = scene_.add_mesh(standing(alpha_), shape_.triangles, surface);
+    show(alpha_);
     furnish();
 }
 
@@ -115,6 +116,12 @@ void Stage::frame(const std::vector<double>& alphas, const std::vector<Moment>& 
     bounds_.upper = {radius, radius, height};
 }
 
+void Stage::show(double alpha) {
+    if (shape_.shading) scene_.correct_normals(mesh_, shape_.shading(alpha) * to_world_.transpose());
+    scene_.move_mesh(mesh_, standing(alpha));
+    alpha_ = alpha;
+}
+
 void Stage::furnish() {
     render::add_studio(scene_, camera_, bounds_);
     lights_ = scene_.lights;
@@ -134,10 +141,7 @@ render::Camera Stage::camera(double degrees) const {
 
 render::RenderResult Stage::picture(const Moment& moment, int frame,
                                     const std::function<void(double)>& progress) {
-    if (moment.alpha != alpha_) {
-        scene_.move_mesh(mesh_, standing(moment.alpha));
-        alpha_ = moment.alpha;
-    }
+    if (moment.alpha != alpha_) show(moment.alpha);
     const Eigen::Matrix3f back = turn(-moment.degrees).cast<float>();
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         scene_.lights[i].center = back * lights_[i].center;

@@ -18,6 +18,8 @@ namespace automorph::turntable {
 struct Shape {
     Triangles triangles;
     std::function<Points(double alpha)> vertices;
+    std::function<Points(double alpha)> shading =
+        {};  ///< what smooth shading lacks (Scene::correct_normals), optional
 };
 
 struct StageOptions {
@@ -67,6 +69,7 @@ private:
     void place_axis(const std::vector<double>& alphas);
     void frame(const std::vector<double>& alphas, const std::vector<Moment>& moments);
     void furnish();
+    void show(double alpha);
     Points upright(double alpha) const;
 
     Shape shape_;

@@ -179,3 +179,15 @@ TEST_CASE("The deformation is interpolated in the turned frame") {
         1.5 * ends.a * Eigen::AngleAxisd(kPi / 4, Eigen::Vector3d::UnitZ()).toRotationMatrix().transpose();
     CHECK((interpolate(ends, 0.5, Interpolation::Slerp) - expected).cwiseAbs().maxCoeff() < 1e-14);
 }
+
+TEST_CASE("what shading lacks moves with the shape: the ends bit for bit, in between turned alone") {
+    Endpoints ends = turned_copy(2.2, {0, 1, 3});
+    CHECK(interpolate_shading(ends, 0.5, Interpolation::Slerp).rows() == 0);
+    ends.shading_a = random_points(50, 3);
+    ends.shading_b = ends.shading_a * ends.R.transpose();
+    CHECK(same_bits(interpolate_shading(ends, 0.0, Interpolation::Slerp), ends.shading_a));
+    CHECK(same_bits(interpolate_shading(ends, 1.0, Interpolation::Slerp), ends.shading_b));
+    const Points half = interpolate_shading(ends, 0.5, Interpolation::Slerp),
+                 expected = ends.shading_a * slerp(ends.R, 0.5).transpose();
+    CHECK((half - expected).norm() < 1e-12 * expected.norm());
+}

@@ -120,8 +120,6 @@ TEST_CASE("figure 8: Section 3 alone collapses, the registered morph keeps its e
         0.5 * (triangle_areas(figure.source.mesh).sum() + triangle_areas(figure.target.mesh).sum());
     CHECK(triangle_areas(figure.halfway(0)).sum() < 0.5 * ends);
     CHECK(triangle_areas(figure.halfway(1)).sum() > 0.75 * ends);
-    // Eq. (12) thins the second row, too, by a fifth; nothing else is wrong with it.
     CHECK_FALSE(figure.suspicions(0).empty());
-    REQUIRE(figure.suspicions(1).size() == 1);
-    CHECK(figure.suspicions(1)[0].find("its area is") != std::string::npos);
+    CHECK(figure.suspicions(1).empty());
 }
