@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "morph/mesh/errors.h"
+#include "morph/mesh/geometry.h"
 #include "render/figure/lighting.h"
 #include "render/figure/looks.h"
 #include "render/figure/mesh_source.h"
@@ -24,11 +25,9 @@ render::RenderResult shoot(const GoldenScene& golden, Change change, int spp, st
     render::MeshOptions surface;
     surface.normals = picture.normals;
     surface.material = material_of(picture, golden.width);
+    surface.vertex_normals = golden.normals;
+    if (change == Change::Normal) surface.vertex_normals.row(golden.vertex) *= -1.0;
     Triangles F = golden.mesh.F;
-    if (change == Change::Normal) {
-        surface.vertex_normals = power::vertex_normals(golden.mesh.V, F);
-        surface.vertex_normals.row(golden.vertex) *= -1.0;
-    }
     if (change == Change::Ring) F = power::without_ring(F, golden.vertex);
     render::Scene scene({.embree_config = golden.embree_config});
     scene.add_mesh(golden.mesh.V, F, surface);
@@ -54,7 +53,7 @@ struct Rings {
 Rings rings_of(const GoldenScene& golden) {
     const render::PictureCamera camera(golden.camera, golden.width, golden.height);
     const Triangles& F = golden.mesh.F;
-    const Points normals = power::vertex_normals(golden.mesh.V, F).rowwise().normalized();
+    const Points normals = golden.normals.rowwise().normalized();
     Rings rings{Eigen::VectorXd::Zero(normals.rows()), Eigen::VectorXd::Zero(normals.rows())};
     for (Eigen::Index f = 0; f < F.rows(); ++f) {
         const auto corner = [&](int k) { return camera.project(golden.mesh.V.row(F(f, k))); };
@@ -137,7 +136,9 @@ GoldenScene morph_scene(const std::string& name, const FigureConfig& config) {
     for (const Points& V : frames) framed.push_back(&V);
     GoldenScene golden = scene_of(config.picture, options, figure, framed);
     const Motion& motion = figure.rows.front().motion;
-    golden.mesh = {motion.at(config.alphas[column]), motion.morph->triangles()};
+    const double alpha = config.alphas[column];
+    golden.mesh = {motion.at(alpha), motion.morph->triangles()};
+    golden.normals = area_weighted_normals(golden.mesh.V, golden.mesh.F) + motion.shading(alpha);
     settle(golden, name, row, figure.rows.front().cells.front());
     return golden;
 }
@@ -153,6 +154,7 @@ std::vector<GoldenScene> look_scenes(const std::string& name, const FigureConfig
             const PictureConfig picture = look_on_stage(stage, config.looks[cell.column]);
             GoldenScene golden = scene_of(picture, options, figure, {&mesh.V});
             golden.mesh = mesh;
+            golden.normals = area_weighted_normals(mesh.V, mesh.F);
             settle(golden, name, row.number, cell);
             scenes.push_back(std::move(golden));
         }
@@ -176,6 +178,7 @@ GoldenScene drawn_scene(const std::string& name, const FigureConfig& config) {
     }
     GoldenScene golden = scene_of(config.picture, options, figure, framed);
     golden.mesh = source;
+    golden.normals = area_weighted_normals(source.V, source.F);
     settle(golden, name, row, figure.rows.front().cells.front());
     return golden;
 }

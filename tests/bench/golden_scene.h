@@ -17,6 +17,7 @@ struct GoldenScene {
     std::string name;  ///< e.g. "fig7 row2-col3"
     PictureConfig picture;
     Mesh mesh;
+    Points normals;  ///< #V x 3, not unit: those the figure shades with
     render::Camera camera;
     render::Bounds bounds;  ///< of all that the figure's camera frames
     int width = 0, height = 0, spp = 0;

@@ -83,10 +83,12 @@ public:
         return {};
     }
 
-    /// Of a pixel, in radiance, without noise as far as that goes: the same seed, the golden's samples.
+    /// Of a pixel, in radiance, between pictures of one seed, with the most samples that were tried.
+    /// @pre find() has tried some
     double largest_change(Change change) {
-        const NoisyImage changed = render_changed(scene_, change, scene_.spp, scene_.picture.seed);
-        return render::compare(golden(scene_.spp).image, changed.image).max_pixel;
+        const auto& [spp, golden] = *goldens_.rbegin();
+        const NoisyImage changed = render_changed(scene_, change, spp, scene_.picture.seed);
+        return render::compare(golden.image, changed.image).max_pixel;
     }
 
 private:

@@ -29,16 +29,6 @@ const char* name(Change change) {
     return "";
 }
 
-Points vertex_normals(const Points& V, const Triangles& F) {
-    Points normals = Points::Zero(V.rows(), 3);
-    for (Eigen::Index f = 0; f < F.rows(); ++f) {
-        const Eigen::Vector3d a = V.row(F(f, 0)), b = V.row(F(f, 1)), c = V.row(F(f, 2));
-        const Eigen::Vector3d normal = (b - a).cross(c - a);
-        for (int k = 0; k < 3; ++k) normals.row(F(f, k)) += normal.transpose();
-    }
-    return normals;
-}
-
 Triangles without_ring(const Triangles& F, int vertex) {
     std::vector<Eigen::Index> kept;
     for (Eigen::Index f = 0; f < F.rows(); ++f) {

@@ -21,9 +21,6 @@ constexpr std::array<Change, 6> kChanges{Change::Light,        Change::Albedo, C
                                          Change::DarkTriangle, Change::Ring,   Change::Camera};
 const char* name(Change change);
 
-/// Weighted by the triangles' areas, #V x 3, not unit.
-automorph::Points vertex_normals(const automorph::Points& V, const automorph::Triangles& F);
-
 /// Those that do not touch the vertex.
 automorph::Triangles without_ring(const automorph::Triangles& F, int vertex);
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "morph/mesh/geometry.h"
 #include "render/camera/framing.h"
 #include "render/integrator/render.h"
 #include "render/studio/studio.h"
@@ -16,7 +17,7 @@ namespace {
 
 struct Parts {
     Shape shape;
-    Points normals;    // #V x 3, not unit
+    Points normals;    // #V x 3
     int vertex = 0;    // the one that changes are about: in the middle of the visible side
     int triangle = 0;  // one at that vertex
 };
@@ -30,7 +31,7 @@ Parts make_parts() {
         V.row(i) *= 1.0 + 0.15 * std::sin(4.0 * p.x()) * std::sin(3.0 * p.y() + 1.0) * std::sin(5.0 * p.z());
     }
     const Triangles& F = parts.shape.F;
-    parts.normals = vertex_normals(V, F);
+    parts.normals = area_weighted_normals(V, F);
     const Eigen::RowVector3d seen(-0.25, -0.9, 0.35);
     (V.rowwise() - seen).rowwise().squaredNorm().minCoeff(&parts.vertex);
     while ((F.row(parts.triangle).array() != parts.vertex).all()) ++parts.triangle;
