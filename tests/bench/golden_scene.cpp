@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "morph/mesh/errors.h"
 #include "render/figure/lighting.h"
@@ -45,41 +44,51 @@ render::RenderResult shoot(const GoldenScene& golden, Change change, int spp, st
     return render::render(scene, turn ? power::turned(golden.camera, 0.1) : golden.camera, options);
 }
 
-/// The area of the triangles at a vertex in the picture.
-double ring_area(const GoldenScene& golden, int vertex) {
+/// What the rings of all vertices look like, as if nothing hid them.
+struct Rings {
+    Eigen::VectorXd area;  // #V, pixels
+    Eigen::VectorXd
+        curve;  // #V, pixels times the angle (radians) between the normals of a triangle's corners
+};
+
+Rings rings_of(const GoldenScene& golden) {
     const render::PictureCamera camera(golden.camera, golden.width, golden.height);
-    double area = 0.0;
-    for (Eigen::Index f = 0; f < golden.mesh.F.rows(); ++f) {
-        if ((golden.mesh.F.row(f).array() != vertex).all()) continue;
-        const auto corner = [&](int k) { return camera.project(golden.mesh.V.row(golden.mesh.F(f, k))); };
+    const Triangles& F = golden.mesh.F;
+    const Points normals = power::vertex_normals(golden.mesh.V, F).rowwise().normalized();
+    Rings rings{Eigen::VectorXd::Zero(normals.rows()), Eigen::VectorXd::Zero(normals.rows())};
+    for (Eigen::Index f = 0; f < F.rows(); ++f) {
+        const auto corner = [&](int k) { return camera.project(golden.mesh.V.row(F(f, k))); };
         const auto a = corner(0), b = corner(1), c = corner(2);
         if (!a || !b || !c) continue;
         const Eigen::Vector2d u = *b - *a, v = *c - *a;
-        area += 0.5 * std::abs(u.x() * v.y() - u.y() * v.x());
-    }
-    return area;
-}
-
-/// Of the surface's triangle that is seen nearest to the middle, the corner with the largest ring.
-void find_vertex(GoldenScene& golden, const render::Layers& layers) {
-    double nearest = std::numeric_limits<double>::infinity();
-    int face = -1;
-    for (int y = 0; y < golden.height; ++y) {
-        for (int x = 0; x < golden.width; ++x) {
-            if (*layers.object.at(x, y) != 0.0f) continue;
-            const double distance = std::hypot(x + 0.5 - 0.5 * golden.width, y + 0.5 - 0.5 * golden.height);
-            if (distance >= nearest) continue;
-            nearest = distance;
-            face = static_cast<int>(*layers.face.at(x, y));
+        const double area = 0.5 * std::abs(u.x() * v.y() - u.y() * v.x());
+        for (int k = 0; k < 3; ++k) {
+            const auto normal = normals.row(F(f, k));
+            const double angle = std::max((normal - normals.row(F(f, (k + 1) % 3))).norm(),
+                                          (normal - normals.row(F(f, (k + 2) % 3))).norm());
+            rings.area[F(f, k)] += area;
+            rings.curve[F(f, k)] += area * angle;
         }
     }
-    if (face < 0) throw Error(golden.name + ": no triangle of the surface is seen");
-    for (int k = 0; k < 3; ++k) {
-        const double area = ring_area(golden, golden.mesh.F(face, k));
-        if (golden.vertex >= 0 && area <= golden.ring_area) continue;
-        golden.vertex = golden.mesh.F(face, k);
-        golden.ring_area = area;
+    return rings;
+}
+
+/// Of the vertices that are seen in the middle third of the picture, the one whose ring is largest and most
+/// curved: where a surface is flat, a normal turned round is the same to a two-sided material.
+void find_vertex(GoldenScene& golden, const render::Layers& layers) {
+    const Rings rings = rings_of(golden);
+    for (int y = golden.height / 3; y < golden.height - golden.height / 3; ++y) {
+        for (int x = golden.width / 3; x < golden.width - golden.width / 3; ++x) {
+            if (*layers.object.at(x, y) != 0.0f) continue;
+            const auto face = static_cast<Eigen::Index>(*layers.face.at(x, y));
+            for (const int vertex : golden.mesh.F.row(face)) {
+                if (golden.vertex < 0 || rings.curve[vertex] > rings.curve[golden.vertex])
+                    golden.vertex = vertex;
+            }
+        }
     }
+    if (golden.vertex < 0) throw Error(golden.name + ": no triangle is seen in the middle of the picture");
+    golden.ring_area = rings.area[golden.vertex];
 }
 
 /// Everything but the surface of the cell, from the figure's render and what its camera frames.

@@ -21,7 +21,7 @@ struct GoldenScene {
     render::Bounds bounds;  ///< of all that the figure's camera frames
     int width = 0, height = 0, spp = 0;
     std::string embree_config;
-    int vertex = -1;       ///< the one that changes are about: seen, as near as can be to the middle
+    int vertex = -1;       ///< the one that changes are about, seen in the middle third of the picture
     double ring_area = 0;  ///< of the triangles at it as the camera sees them, pixels
 
     bool smooth() const { return picture.normals == render::Normals::Smooth; }

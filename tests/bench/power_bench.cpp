@@ -10,6 +10,7 @@
 #include <map>
 
 #include "morph/mesh/errors.h"
+#include "render/compare/difference.h"
 #include "tests/bench/golden_scene.h"
 #include "tests/render/figure/golden.h"
 
@@ -82,6 +83,12 @@ public:
         return {};
     }
 
+    /// Of a pixel, in radiance, without noise as far as that goes: the same seed, the golden's samples.
+    double largest_change(Change change) {
+        const NoisyImage changed = render_changed(scene_, change, scene_.spp, scene_.picture.seed);
+        return render::compare(golden(scene_.spp).image, changed.image).max_pixel;
+    }
+
 private:
     const NoisyImage& golden(int spp) {
         const auto found = goldens_.find(spp);
@@ -127,7 +134,7 @@ void add_row(const GoldenScene& scene, const Arguments& arguments, Totals& total
         totals.at_own_samples += found.spp == scene.spp;
         totals.missed += found.spp == 0;
         if (found.spp == 0)
-            fmt::print(" **not with {}** |", arguments.limit);
+            fmt::print(" **not with {}**: {:.4f} |", arguments.limit, hunt.largest_change(change));
         else
             fmt::print(" {}{}, {} |", found.spp == scene.spp ? "" : "not; ", found.spp, found.test);
         std::fflush(stdout);
@@ -145,9 +152,10 @@ void add_row(const GoldenScene& scene, const Arguments& arguments, Totals& total
 int power_bench(const std::vector<std::string>& words) {
     const Arguments arguments = parse(words);
     fmt::print(
-        "Changes of golden cells: samples per pixel with which each is caught, and by which test. \"not\": "
-        "not "
-        "with the golden's own.\n\n| golden | pixels, samples |");
+        "Samples per pixel with which changes of golden cells are caught, and by which test. \"not\": not "
+        "with "
+        "the golden's own; then in bold: by how much a pixel's radiance changes at most.\n\n"
+        "| golden | pixels, samples |");
     for (const Change change : kListed) fmt::print(" {} |", power::name(change));
     fmt::print(" ring, pixels | pairs of seeds rejected |\n|---|---|---|---|---|---|---|---|---|\n");
     Totals totals;
