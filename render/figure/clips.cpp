@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "morph/mesh/write_file.h"
+#include "render/figure/loops.h"
 #include "render/figure/picture_progress.h"
 #include "render/figure/row_subject.h"
 #include "render/figure/stopwatch.h"
@@ -34,11 +34,16 @@ Film film_of(const FigureConfig& config) {
 /// One camera for the loops of all rows.
 Shooting loop_shooting(const FigureConfig& config, const FigureOptions& options, const Figure& figure) {
     ShootingPlan plan(config.picture, options, film_of(config));
+    int time_steps = 1;  // the same for all
     for (const Motion& motion : figure.motions) {
-        for (int i = 0; i <= config.video.frames / 2; ++i)
-            plan.add(motion.at(loop_alpha(i, config.video.frames)));
+        const FilmLoop loop = FilmLoop::of_row(config.video, motion);
+        time_steps = loop.time_steps();
+        for (int i = 0; i <= config.video.frames / 2; ++i) {
+            for (const Points& V : loop.exposure(i)) plan.add(V);
+        }
     }
     Shooting shooting = plan.shooting();
+    shooting.time_steps = time_steps;
     shooting.adaptive_error = kVideoError;
     return shooting;
 }
@@ -63,8 +68,9 @@ public:
     }
 
     /// Empty if by nothing.
-    Eigen::VectorXd of(const Points& frame) const {
-        return field_ == ColorField::None ? Eigen::VectorXd() : color_field(field_, source_, frame);
+    Eigen::VectorXd of(const FilmLoop& loop, int index) const {
+        if (field_ == ColorField::None) return {};
+        return color_field(field_, source_, loop.unturned(index));
     }
 
 private:
@@ -93,18 +99,17 @@ Clip row_clip(const FigureConfig& config, const Shooting& shooting, const Figure
     clip.height = shooting.height;
     clip.frames = static_cast<int>(shown.size());
     RowSubject subject(shooting, row, figure.scale);
+    const FilmLoop loop = FilmLoop::of_row(config.video, row.motion);
     const FrameColors colors(config, row.motion);
     PictureProgress progress(shooting.options.progress, task, "picture", stills.size());
     std::vector<VideoFrame> pictures;
     for (const int still : stills) {
-        const double alpha = loop_alpha(still, frames);
-        const Points frame = row.motion.at(alpha);
-        subject.correct_normals(row.motion.shading(alpha));
-        const FigureCell cell =
-            subject.shoot(frame, colors.of(frame), progress.begin(pictures.size() + 1, shooting.samples()),
-                          static_cast<std::uint32_t>(still));
+        subject.correct_normals(loop.shading(still));
+        const FigureCell cell = subject.shoot(loop.exposure(still), colors.of(loop, still),
+                                              progress.begin(pictures.size() + 1, shooting.samples()),
+                                              static_cast<std::uint32_t>(still));
         progress.end(cell.samples, cell.rays);
-        clip.alphas.push_back(alpha);
+        clip.alphas.push_back(loop_alpha(still, frames));
         clip.stills.push_back(render::jpeg_data_uri(cell.image, kStillQuality));
         clip.seconds += cell.seconds;
         pictures.push_back(video_frame(cell.image));
@@ -125,43 +130,17 @@ const FigureRow* turning_row(const FigureConfig& config, const Figure& figure) {
     return row == figure.rows.end() ? nullptr : &*row;
 }
 
-/// The moments of a turntable: the morph's frame, turned about the middle of the whole motion.
-class Turntable {
-public:
-    Turntable(const FigureConfig& config, const Motion& motion)
-        : motion_(motion), up_(config.picture.up), frames_(config.video.turntable) {
-        render::Bounds bounds;
-        for (int i = 0; i <= frames_ / 2; ++i) bounds.add(motion.at(loop_alpha(i, frames_)));
-        centre_ = bounds.center();
-    }
-
-    Points frame(int index) const { return motion_.at(loop_alpha(index, frames_)); }
-
-    /// @param frame  of that index
-    Points turned_frame(const Points& frame, int index) const {
-        return turned(frame, centre_, up_, 360.0 * index / frames_);
-    }
-
-    Points turned_shading(int index) const {
-        return turned(motion_.shading(loop_alpha(index, frames_)), Eigen::RowVector3d::Zero(), up_,
-                      360.0 * index / frames_);
-    }
-
-private:
-    const Motion& motion_;
-    Eigen::Vector3d up_;
-    int frames_;
-    Eigen::RowVector3d centre_;
-};
-
 /// Frames go to ffmpeg as they are rendered.
 Clip turntable_clip(const FigureConfig& config, const FigureOptions& options, const Figure& figure,
                     const FigureRow& row, const std::filesystem::path& folder) {
     const std::string task = fmt::format("turntable of row {} ({})", row.number + 1, row.config.label);
-    const Turntable table(config, row.motion);
+    const FilmLoop table = FilmLoop::on_turntable(config, row.motion);
     ShootingPlan plan(config.picture, options, film_of(config));
-    for (int i = 0; i < config.video.turntable; ++i) plan.add(table.turned_frame(table.frame(i), i));
+    for (int i = 0; i < config.video.turntable; ++i) {
+        for (const Points& V : table.exposure(i)) plan.add(V);
+    }
     Shooting shooting = plan.shooting();
+    shooting.time_steps = table.time_steps();
     shooting.adaptive_error = kVideoError;
 
     Clip clip;
@@ -177,9 +156,8 @@ Clip turntable_clip(const FigureConfig& config, const FigureOptions& options, co
     }
     PictureProgress progress(options.progress, task, "frame", indices.size());
     for (const int i : indices) {
-        const Points frame = table.frame(i);
-        subject.correct_normals(table.turned_shading(i));
-        const FigureCell cell = subject.shoot(table.turned_frame(frame, i), colors.of(frame),
+        subject.correct_normals(table.shading(i));
+        const FigureCell cell = subject.shoot(table.exposure(i), colors.of(table, i),
                                               progress.begin(static_cast<std::size_t>(i), shooting.samples()),
                                               static_cast<std::uint32_t>(i));
         progress.end(cell.samples, cell.rays);
@@ -194,11 +172,6 @@ Clip turntable_clip(const FigureConfig& config, const FigureOptions& options, co
 }
 
 }  // namespace
-
-double loop_alpha(int index, int frames) {
-    const double way = 2.0 * still_of(index, frames) / std::max(frames, 1);
-    return 0.5 - 0.5 * std::cos(std::numbers::pi * std::min(way, 1.0));
-}
 
 VideoSize video_size(const FigureConfig& config) {
     const double longer = std::max(config.picture.width, config.picture.height);

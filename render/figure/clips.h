@@ -8,10 +8,6 @@
 /// The films of a figure: each row's morph, there and back without a seam, and one row on a turntable.
 namespace automorph {
 
-/// Alpha of frame `index` of a loop: 0 at the first, 1 halfway, slow at both.
-/// @pre 0 <= index < frames
-double loop_alpha(int index, int frames);
-
 /// Size of the videos: `video.size` along the longer side of a cell, both sides even.
 struct VideoSize {
     int width = 0, height = 0;

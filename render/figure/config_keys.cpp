@@ -226,6 +226,10 @@ Section<VideoConfig> video_section() {
         value("fps", &V::fps, {1, 240}, "frames per second"),
         value("size", &V::size, {16, 8192}, "longer side in pixels; the other follows from the cell's"),
         value("spp", &V::spp, {1, 65536}, "light paths per pixel"),
+        value(
+            "shutter", &V::shutter, {0, 1},
+            "motion blur: share of the time between two frames during which the shutter is open, around the "
+            "frame's moment; 0: none"),
         value("turntable", &V::turntable, {0, 100000},
               "frames of one turn about picture.up, on which a row morphs there and back; 0: no such video"),
         value("turntable_row", &V::turntable_row, {0, 100000},

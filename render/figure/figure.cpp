@@ -142,8 +142,8 @@ void render_row(const Shooting& shooting, const RowFrames& frames, const std::op
     PictureProgress progress(options.progress, task, "cell", count);
     for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
         if (!options.cells.has(i)) continue;
-        subject.correct_normals(row.motion.shading(sequence.alphas[i]));
-        FigureCell cell = subject.shoot(sequence.frames[i], scale ? frames.numbers[i] : Eigen::VectorXd(),
+        subject.correct_normals({row.motion.shading(sequence.alphas[i])});
+        FigureCell cell = subject.shoot({sequence.frames[i]}, scale ? frames.numbers[i] : Eigen::VectorXd(),
                                         progress.begin(i + 1, shooting.samples()));
         progress.end(cell.samples, cell.rays);
         cell.alpha = sequence.alphas[i];

@@ -43,12 +43,13 @@ std::vector<int> marked_vertices(const MarkersConfig& config, const Points& sour
     return merged;
 }
 
-Markers::Markers(render::Scene& scene, std::vector<int> vertices, double radius)
+Markers::Markers(render::Scene& scene, std::vector<int> vertices, double radius, int time_steps)
     : vertices_(std::move(vertices)), radius_(radius), sphere_(render::make_sphere()) {
     if (vertices_.empty()) return;
     const auto count = static_cast<int>(vertices_.size());
     const Eigen::Index n = sphere_.directions.rows();
     render::MeshOptions options;
+    options.time_steps = time_steps;
     options.vertex_normals = sphere_.directions.replicate(count, 1);
     options.vertex_colors.resize(n * count, 3);
     for (int i = 0; i < count; ++i) {
@@ -61,12 +62,16 @@ Markers::Markers(render::Scene& scene, std::vector<int> vertices, double radius)
                            render::sphere_triangles(sphere_, count), options);
 }
 
-void Markers::move(render::Scene& scene, const Points& V) {
+void Markers::move(render::Scene& scene, const std::vector<Points>& steps) {
     if (mesh_ < 0) return;
-    Points centers(static_cast<Eigen::Index>(vertices_.size()), 3);
-    for (std::size_t i = 0; i < vertices_.size(); ++i)
-        centers.row(static_cast<Eigen::Index>(i)) = V.row(vertices_[i]);
-    scene.move_mesh(mesh_, render::sphere_vertices(sphere_, centers, radius_));
+    std::vector<Points> moved;
+    for (const Points& V : steps) {
+        Points centers(static_cast<Eigen::Index>(vertices_.size()), 3);
+        for (std::size_t i = 0; i < vertices_.size(); ++i)
+            centers.row(static_cast<Eigen::Index>(i)) = V.row(vertices_[i]);
+        moved.push_back(render::sphere_vertices(sphere_, centers, radius_));
+    }
+    scene.move_mesh(mesh_, moved);
 }
 
 }  // namespace automorph

@@ -22,11 +22,13 @@ std::vector<int> farthest_vertices(const Points& V, int count);
 /// Small spheres on vertices of a surface, in distinct colours.
 class Markers {
 public:
-    /// Adds them to the scene. @param radius  scene units
-    Markers(render::Scene& scene, std::vector<int> vertices, double radius);
+    /// Adds them to the scene.
+    /// @param radius      scene units
+    /// @param time_steps  of the exposure
+    Markers(render::Scene& scene, std::vector<int> vertices, double radius, int time_steps = 1);
 
-    /// Brings them to where the surface's vertices are.
-    void move(render::Scene& scene, const Points& V);
+    /// Brings them to where the surface's vertices are at each time step.
+    void move(render::Scene& scene, const std::vector<Points>& steps);
 
 private:
     std::vector<int> vertices_;

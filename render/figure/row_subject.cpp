@@ -7,10 +7,10 @@ RowSubject::RowSubject(const Shooting& shooting, const FigureRow& row, const std
     subject_.mark(row.marked);
 }
 
-FigureCell RowSubject::shoot(const Points& V, const Eigen::VectorXd& numbers,
+FigureCell RowSubject::shoot(const std::vector<Points>& steps, const Eigen::VectorXd& numbers,
                              const std::function<void(double)>& progress, std::uint32_t index) {
     if (scale_) subject_.color(numbers, *scale_);
-    return subject_.shoot(V, progress, index);
+    return subject_.shoot(steps, progress, index);
 }
 
 }  // namespace automorph

@@ -86,6 +86,7 @@ Subject::Subject(const Shooting& shooting, const Points& V, const Triangles& F)
     render::MeshOptions surface;
     surface.normals = shooting.picture.normals;
     surface.material = material_of(shooting.picture, shooting.width);
+    surface.time_steps = shooting.time_steps;
     mesh_ = scene_.add_mesh(V, F, surface);
     add_light(scene_, shooting.picture, shooting.camera, shooting.bounds, shooting.sky);
 }
@@ -94,15 +95,21 @@ void Subject::color(const Eigen::VectorXd& values, const ColorScale& scale) {
     scene_.color_mesh(mesh_, render::viridis_colors(values, scale.low, scale.high));
 }
 
-void Subject::correct_normals(const Points& corrections) {
-    scene_.correct_normals(mesh_, corrections);
+void Subject::correct_normals(const std::vector<Points>& steps) {
+    scene_.correct_normals(mesh_, steps);
 }
 
 void Subject::mark(const std::vector<int>& vertices) {
-    markers_.emplace(scene_, vertices, shooting_.picture.markers.radius * shooting_.bounds.radius());
+    markers_.emplace(scene_, vertices, shooting_.picture.markers.radius * shooting_.bounds.radius(),
+                     shooting_.time_steps);
 }
 
 FigureCell Subject::shoot(const Points& V, const std::function<void(double)>& progress, std::uint32_t frame) {
+    return shoot(std::vector<Points>(static_cast<std::size_t>(shooting_.time_steps), V), progress, frame);
+}
+
+FigureCell Subject::shoot(const std::vector<Points>& steps, const std::function<void(double)>& progress,
+                          std::uint32_t frame) {
     render::RenderOptions settings;
     settings.width = shooting_.width;
     settings.height = shooting_.height;
@@ -115,8 +122,8 @@ FigureCell Subject::shoot(const Points& V, const std::function<void(double)>& pr
     settings.progress = progress;
     const bool denoise = shooting_.picture.denoise || shooting_.options.denoise;
     settings.layers = denoise || shooting_.options.layers;
-    scene_.move_mesh(mesh_, V);
-    if (markers_) markers_->move(scene_, V);
+    scene_.move_mesh(mesh_, steps);
+    if (markers_) markers_->move(scene_, steps);
     render::RenderResult result = render::render(scene_, shooting_.camera, settings);
     FigureCell cell;
     if (denoise) {

@@ -24,6 +24,7 @@ struct Shooting {
     render::Bounds bounds;  ///< of all that is ever shown
     int width = 0, height = 0, spp = 0;
     double adaptive_error = 0;  ///< render::RenderOptions; 0: all pixels take `spp`
+    int time_steps = 1;         ///< of an exposure: render::shutter_steps()
     std::shared_ptr<const render::EquirectangularMap> sky;  ///< null without a picture of one
 
     /// That a picture takes at most.
@@ -68,8 +69,8 @@ public:
     /// Colours the surface by a scalar per vertex from now on.
     void color(const Eigen::VectorXd& values, const ColorScale& scale);
 
-    /// What smooth shading of the next picture lacks, #V x 3, as Morph::shading().
-    void correct_normals(const Points& corrections);
+    /// What smooth shading of the next picture lacks at each time step, #V x 3, as Morph::shading().
+    void correct_normals(const std::vector<Points>& steps);
 
     /// Puts small spheres on vertices of the surface, which go along with it.
     void mark(const std::vector<int>& vertices);
@@ -77,6 +78,10 @@ public:
     /// Moves the vertices there and takes the picture.
     /// @param frame  of a video: frames have independent noise
     FigureCell shoot(const Points& V, const std::function<void(double)>& progress, std::uint32_t frame = 0);
+
+    /// The same with the vertices at each time step of the exposure.
+    FigureCell shoot(const std::vector<Points>& steps, const std::function<void(double)>& progress,
+                     std::uint32_t frame = 0);
 
     /// Whether the camera sees a point of the surface as it was last pictured.
     bool sees(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const;

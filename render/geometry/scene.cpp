@@ -37,8 +37,8 @@ void Scene::move_mesh(int mesh, const std::vector<Points>& steps) {
     embree_->moved(static_cast<std::uint32_t>(mesh));
 }
 
-void Scene::correct_normals(int mesh, const Points& corrections) {
-    meshes_[static_cast<std::size_t>(mesh)].correct_normals(corrections);
+void Scene::correct_normals(int mesh, const std::vector<Points>& steps) {
+    meshes_[static_cast<std::size_t>(mesh)].correct_normals(steps);
 }
 
 bool Scene::has_motion() const {

@@ -70,9 +70,9 @@ public:
     void move_mesh(int mesh, const std::vector<Points>& steps);
 
     /// From the next move_mesh() on added to the unit normals that are computed, which are normalised again;
-    /// #V x 3, none take them away.
-    /// @throws InvalidMesh if the number of corrections is neither #V nor 0
-    void correct_normals(int mesh, const Points& corrections);
+    /// for each time step #V x 3, none take them away.
+    /// @throws InvalidMesh if the number of corrections is neither #V nor 0, or the number of steps differs
+    void correct_normals(int mesh, const std::vector<Points>& steps);
 
     /// Whether any mesh moves during the exposure.
     bool has_motion() const;

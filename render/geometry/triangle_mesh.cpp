@@ -111,18 +111,24 @@ void TriangleMesh::move(const std::vector<Points>& steps) {
         largest = std::max(largest, largest_coordinate(positions_[i]));
         if (!follow) continue;
         Points normals = area_weighted_normals(steps[i], indices_);
-        if (corrections_.rows() != 0) normals += corrections_;
+        if (!corrections_.empty() && corrections_[i].rows() != 0) normals += corrections_[i];
         normals_.push_back(unit_normals(std::move(normals)));
     }
     ray_offset_ = kRayOffset * largest;
 }
 
-void TriangleMesh::correct_normals(const Points& corrections) {
-    if (corrections.rows() != 0 && corrections.rows() != vertex_count()) {
-        throw InvalidMesh(fmt::format("{} corrections of normals are given for {} vertices",
-                                      corrections.rows(), vertex_count()));
+void TriangleMesh::correct_normals(const std::vector<Points>& steps) {
+    if (!steps.empty() && steps.size() != positions_.size()) {
+        throw InvalidMesh(fmt::format("corrections of normals are given for {} time steps, the mesh has {}",
+                                      steps.size(), positions_.size()));
     }
-    corrections_ = corrections;
+    for (const Points& corrections : steps) {
+        if (corrections.rows() != 0 && corrections.rows() != vertex_count()) {
+            throw InvalidMesh(fmt::format("{} corrections of normals are given for {} vertices",
+                                          corrections.rows(), vertex_count()));
+        }
+    }
+    corrections_ = steps;
 }
 
 void TriangleMesh::color(const Points& colors) {

@@ -28,9 +28,9 @@ public:
     void move(const std::vector<Points>& steps);
 
     /// From the next move() on added to the unit normals that are computed, which are normalised again: what
-    /// the tessellation does not show of the surface. #V x 3; none: nothing.
-    /// @throws InvalidMesh if their number is neither #V nor 0
-    void correct_normals(const Points& corrections);
+    /// the tessellation does not show of the surface. For each time step #V x 3; none: nothing.
+    /// @throws InvalidMesh if their number is neither #V nor 0, or the number of steps differs
+    void correct_normals(const std::vector<Points>& steps);
 
     int time_steps() const { return static_cast<int>(positions_.size()); }
 
@@ -76,7 +76,7 @@ private:
     std::vector<std::vector<float>> positions_;  ///< by time step
     std::vector<std::uint32_t> indices_;
     std::vector<std::vector<float>> normals_;  ///< by time step #V x 3; one if given, none if flat
-    Points corrections_;                       ///< of normals, #V x 3, may be empty
+    std::vector<Points> corrections_;          ///< of normals, by time step #V x 3 or empty; may be none
     std::vector<float> colors_;                ///< #V x 3, may be empty
     bool smooth_;
     bool given_normals_ = false;

@@ -17,6 +17,8 @@ constexpr const char* kTurntableExamples = R"(Examples:
       the shape half way turns
   automorph turntable head.ply --width 1920 --height 1080 --spp 256 --frame-range 0-47 --out big_.png
       a part of the sequence; another machine may make 48-95
+  automorph turntable a.ply b.ply --shutter 0.5 --spp 128 --out soft.mp4
+      with motion blur, which takes more light paths to be smooth
   automorph turntable head.ply --frames 4 --spp 8 --out try_.png
       a quick look: four sides
 Stopped, killed, or with a full disk: the same command again goes on. Each frame tells in its file what it was made of; frames whose meshes, options, seed and version are the same are kept.)";
@@ -36,6 +38,13 @@ void add_motion(CLI::App& command, turntable::TimelineOptions& timeline) {
     command.add_option("--start", timeline.start, "Turned by so much before the first frame")
         ->type_name("DEG")
         ->check(CLI::Range(-1e6, 1e6))
+        ->capture_default_str();
+    command
+        .add_option("--shutter", timeline.shutter,
+                    "Motion blur: share of the time between two frames during which the shutter is open, "
+                    "around the frame's moment; 0: none, 0.5: as film cameras do")
+        ->type_name("S")
+        ->check(CLI::Range(0.0, 1.0))
         ->capture_default_str();
     add_choice(command, "--turn-easing", timeline.turn_easing, kEasings,
                "How it turns: evenly, or from rest to rest");

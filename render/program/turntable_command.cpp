@@ -92,11 +92,11 @@ turntable::Shape morphing_shape(const TurntableArguments& arguments, const Surro
 void make_missing(const TurntableArguments& arguments, const turntable::StageOptions& options,
                   const turntable::Sequence& sequence, const std::vector<turntable::OpenFrame>& open,
                   const Surroundings& surroundings) {
-    const std::vector<turntable::Moment> moments = turntable::timeline(arguments.timeline);
+    const std::vector<turntable::Exposure> exposures = turntable::exposures(arguments.timeline);
     turntable::Shape shape = arguments.target.empty() ? rigid_shape(arguments.source, surroundings)
                                                       : morphing_shape(arguments, surroundings);
     const Stopwatch staging;
-    turntable::Stage stage(std::move(shape), moments, options);
+    turntable::Stage stage(std::move(shape), exposures, options);
     const render::Camera camera = stage.camera(0);
     surroundings.debug(fmt::format("stage set in {:.2f} s; the camera is at ({:.4g} {:.4g} {:.4g})",
                                    staging.seconds(), camera.position.x(), camera.position.y(),
@@ -104,8 +104,8 @@ void make_missing(const TurntableArguments& arguments, const turntable::StageOpt
     std::uint64_t bad = 0;
     const Stopwatch watch;
     turntable::make_frames(
-        stage, moments, sequence, open, surroundings.progress, [&](const turntable::MadeFrame& made) {
-            const turntable::Moment& moment = moments[static_cast<std::size_t>(made.frame)];
+        stage, exposures, sequence, open, surroundings.progress, [&](const turntable::MadeFrame& made) {
+            const turntable::Moment& moment = exposures[static_cast<std::size_t>(made.frame)].middle();
             bad += made.bad_samples;
             surroundings.debug(fmt::format("frame {}: alpha {:.4f}, {:.2f} degrees, {:.2f} s, {} rays",
                                            made.frame, moment.alpha, moment.degrees, made.seconds,

@@ -42,6 +42,7 @@ nlohmann::ordered_json common_inputs(const TurntableArguments& arguments,
     json["frames"] = timeline.frames;
     json["start"] = timeline.start;
     json["revolutions"] = timeline.revolutions;
+    json["shutter"] = timeline.shutter;
     json["turn_easing"] = name_of(kEasings, timeline.turn_easing);
     if (timeline.alpha) {
         json["alpha"] = *timeline.alpha;

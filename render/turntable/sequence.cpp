@@ -30,15 +30,16 @@ std::vector<OpenFrame> open_frames(const Sequence& sequence) {
     return frames;
 }
 
-std::vector<MadeFrame> make_frames(Stage& stage, const std::vector<Moment>& moments, const Sequence& sequence,
-                                   const std::vector<OpenFrame>& frames, const Progress& progress,
+std::vector<MadeFrame> make_frames(Stage& stage, const std::vector<Exposure>& exposures,
+                                   const Sequence& sequence, const std::vector<OpenFrame>& frames,
+                                   const Progress& progress,
                                    const std::function<void(const MadeFrame&)>& told) {
     std::vector<MadeFrame> made;
     PictureProgress telling(progress, "turntable", "frame", frames.size());
     for (const OpenFrame& open : frames) {
         const int frame = open.frame;
         const render::RenderResult result =
-            stage.picture(moments[static_cast<std::size_t>(frame)], frame,
+            stage.picture(exposures[static_cast<std::size_t>(frame)], frame,
                           telling.begin(static_cast<std::size_t>(frame), stage.samples()));
         write_frame(sequence.files[static_cast<std::size_t>(frame)], result.image, sequence.inputs(frame));
         telling.end(result.samples, result.rays);

@@ -38,8 +38,9 @@ struct MadeFrame {
 /// Pictures and writes frames, one after the other.
 /// @param told  called after each frame; may be empty
 /// @throws IoError naming the file and the system's reason; frames made before stay
-std::vector<MadeFrame> make_frames(Stage& stage, const std::vector<Moment>& moments, const Sequence& sequence,
-                                   const std::vector<OpenFrame>& frames, const Progress& progress,
+std::vector<MadeFrame> make_frames(Stage& stage, const std::vector<Exposure>& exposures,
+                                   const Sequence& sequence, const std::vector<OpenFrame>& frames,
+                                   const Progress& progress,
                                    const std::function<void(const MadeFrame&)>& told = {});
 
 /// Reads "A-B" (both included), "A-" (to the end) or "A"; empty is the whole sequence.

@@ -34,6 +34,25 @@ Eigen::Matrix3d turn(double degrees) {
     return Eigen::AngleAxisd(degrees * render::kRadians, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
+std::vector<double> distinct_alphas(const std::vector<Moment>& moments) {
+    std::set<double> distinct;
+    for (const Moment& moment : moments) distinct.insert(moment.alpha);
+    return {distinct.begin(), distinct.end()};
+}
+
+std::vector<Moment> middles(const std::vector<Exposure>& frames) {
+    std::vector<Moment> moments;
+    for (const Exposure& frame : frames) moments.push_back(frame.middle());
+    return moments;
+}
+
+/// Degrees from those of the middle.
+std::vector<Moment> relative(const Exposure& exposure) {
+    std::vector<Moment> steps = exposure.steps;
+    for (Moment& step : steps) step.degrees -= exposure.middle().degrees;
+    return steps;
+}
+
 }  // namespace
 
 void check(const StageOptions& options) {
@@ -44,24 +63,22 @@ void check(const StageOptions& options) {
     }
 }
 
-Stage::Stage(Shape shape, const std::vector<Moment>& moments, const StageOptions& options)
+Stage::Stage(Shape shape, const std::vector<Exposure>& frames, const StageOptions& options)
     : shape_(std::move(shape)),
       options_(options),
       to_world_(world_axes(options)),
       scene_({.embree_config = options.embree_config}) {
     check(options);
-    if (moments.empty()) throw ConfigError("turntable: there are no frames");
-    std::set<double> distinct;
-    for (const Moment& moment : moments) distinct.insert(moment.alpha);
-    const std::vector<double> alphas(distinct.begin(), distinct.end());
-    place_axis(alphas);
-    frame(alphas, moments);
-    alpha_ = alphas.front();
+    if (frames.empty()) throw ConfigError("turntable: there are no frames");
+    place_axis(frames);
+    frame(frames);
     render::MeshOptions surface;
     surface.normals = options.normals;
     surface.material = render::clay();
-    mesh_ = scene_.add_mesh(standing(alpha_), shape_.triangles, surface);
-    show(alpha_);
+    surface.time_steps = static_cast<int>(frames.front().steps.size());
+    const Exposure& first = frames.front();
+    mesh_ = scene_.add_mesh(standing(first.middle().alpha), shape_.triangles, surface);
+    show(relative(first));
     furnish();
 }
 
@@ -76,15 +93,15 @@ Points Stage::standing(double alpha) const {
     return V.rowwise() - Eigen::RowVector3d(axis_.x(), axis_.y(), box.lower.z());
 }
 
-void Stage::place_axis(const std::vector<double>& alphas) {
+void Stage::place_axis(const std::vector<Exposure>& frames) {
     render::Bounds box;
-    for (const double alpha : alphas) box.add(upright(alpha));
+    for (const double alpha : distinct_alphas(middles(frames))) box.add(upright(alpha));
     if (!(box.lower.array() <= box.upper.array()).all())
         throw Error("turntable: the shape has no finite vertex");
     axis_ = box.center();
 }
 
-void Stage::frame(const std::vector<double>& alphas, const std::vector<Moment>& moments) {
+void Stage::frame(const std::vector<Exposure>& frames) {
     const double slope = options_.elevation * render::kRadians;
     render::FramingOptions framing_options;
     framing_options.direction = {0, std::cos(slope), -std::sin(slope)};
@@ -93,16 +110,20 @@ void Stage::frame(const std::vector<double>& alphas, const std::vector<Moment>& 
     framing_options.margin = options_.margin;
     render::Framing framing(framing_options);
 
-    const auto [least, most] =
-        std::minmax_element(moments.begin(), moments.end(),
-                            [](const Moment& a, const Moment& b) { return a.degrees < b.degrees; });
+    const std::vector<Moment> moments = middles(frames);
+    const auto by_degrees = [](const Moment& a, const Moment& b) { return a.degrees < b.degrees; };
+    const auto [least, most] = std::minmax_element(moments.begin(), moments.end(), by_degrees);
     // A loop leaves out the frame that would be its first again: it goes all round, nevertheless.
     const double step =
         moments.size() > 1 ? (most->degrees - least->degrees) / static_cast<double>(moments.size() - 1) : 0.0;
-    const render::Sweep sweep{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), least->degrees,
-                              most->degrees + step};
+    // What the shutter sees before and after.
+    std::vector<Moment> all;
+    for (const Exposure& each : frames) all.insert(all.end(), each.steps.begin(), each.steps.end());
+    const auto [first, last] = std::minmax_element(all.begin(), all.end(), by_degrees);
+    const render::Sweep sweep{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), first->degrees,
+                              std::max(last->degrees, most->degrees + step)};
     double radius = 0, height = 0;
-    for (const double alpha : alphas) {
+    for (const double alpha : distinct_alphas(all)) {
         const Points V = standing(alpha);
         framing.add(V, sweep);
         for (const auto& p : V.rowwise()) {
@@ -116,10 +137,18 @@ void Stage::frame(const std::vector<double>& alphas, const std::vector<Moment>& 
     bounds_.upper = {radius, radius, height};
 }
 
-void Stage::show(double alpha) {
-    if (shape_.shading) scene_.correct_normals(mesh_, shape_.shading(alpha) * to_world_.transpose());
-    scene_.move_mesh(mesh_, standing(alpha));
-    alpha_ = alpha;
+void Stage::show(const std::vector<Moment>& steps) {
+    std::vector<Points> places, corrections;
+    for (const Moment& step : steps) {
+        const auto turned = [&](const Points& rows) {
+            return step.degrees == 0 ? rows : Points(rows * turn(step.degrees).transpose());
+        };
+        places.push_back(turned(standing(step.alpha)));
+        if (shape_.shading) corrections.push_back(turned(shape_.shading(step.alpha) * to_world_.transpose()));
+    }
+    if (shape_.shading) scene_.correct_normals(mesh_, corrections);
+    scene_.move_mesh(mesh_, places);
+    shown_ = steps;
 }
 
 void Stage::furnish() {
@@ -139,10 +168,11 @@ render::Camera Stage::camera(double degrees) const {
     return camera;
 }
 
-render::RenderResult Stage::picture(const Moment& moment, int frame,
+render::RenderResult Stage::picture(const Exposure& exposure, int frame,
                                     const std::function<void(double)>& progress) {
-    if (moment.alpha != alpha_) show(moment.alpha);
-    const Eigen::Matrix3f back = turn(-moment.degrees).cast<float>();
+    if (std::vector<Moment> steps = relative(exposure); steps != shown_) show(steps);
+    const double degrees = exposure.middle().degrees;
+    const Eigen::Matrix3f back = turn(-degrees).cast<float>();
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         scene_.lights[i].center = back * lights_[i].center;
         scene_.lights[i].edge_u = back * lights_[i].edge_u;
@@ -156,7 +186,7 @@ render::RenderResult Stage::picture(const Moment& moment, int frame,
     settings.frame = static_cast<std::uint32_t>(frame);
     settings.threads = options_.threads;
     settings.progress = progress;
-    return render::render(scene_, camera(moment.degrees), settings);
+    return render::render(scene_, camera(degrees), settings);
 }
 
 }  // namespace automorph::turntable

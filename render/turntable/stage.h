@@ -44,16 +44,18 @@ void check(const StageOptions& options);
 /// World coordinates: the axis is z, through the middle of the box around all shapes; each shape stands on
 /// the floor z = 0. The shape keeps its place, and camera and lights go round it the other way: the picture
 /// of a shape that turns under fixed light, but the tree over its triangles is built once and not per frame,
-/// and is the same whichever frame comes first.
+/// and is the same whichever frame comes first. While the shutter is open, it is the shape that moves.
 class Stage {
 public:
-    /// @param moments  of the whole sequence: one camera distance holds for all of them
-    /// @throws ConfigError as check() does
+    /// @param frames  of the whole sequence, with equally many steps: one camera distance holds for all of
+    /// them
+    /// @throws ConfigError as check() does, or if there are no frames
     /// @throws Error       if the shape has no finite vertex
-    Stage(Shape shape, const std::vector<Moment>& moments, const StageOptions& options);
+    Stage(Shape shape, const std::vector<Exposure>& frames, const StageOptions& options);
 
     /// Takes the picture. @param frame  chooses the noise
-    render::RenderResult picture(const Moment& moment, int frame,
+    /// @pre as many steps as the frames given at first have
+    render::RenderResult picture(const Exposure& exposure, int frame,
                                  const std::function<void(double)>& progress = {});
 
     /// Light paths of a picture.
@@ -66,10 +68,10 @@ public:
     Points standing(double alpha) const;
 
 private:
-    void place_axis(const std::vector<double>& alphas);
-    void frame(const std::vector<double>& alphas, const std::vector<Moment>& moments);
+    void place_axis(const std::vector<Exposure>& frames);
+    void frame(const std::vector<Exposure>& frames);
     void furnish();
-    void show(double alpha);
+    void show(const std::vector<Moment>& steps);
     Points upright(double alpha) const;
 
     Shape shape_;
@@ -81,7 +83,7 @@ private:
     std::vector<render::RectangleLight> lights_;      ///< at 0 degrees
     render::Scene scene_;
     int mesh_ = -1;
-    double alpha_ = 0;  ///< shown
+    std::vector<Moment> shown_;  ///< degrees from those of the picture's middle
 };
 
 }  // namespace automorph::turntable

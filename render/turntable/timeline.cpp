@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "morph/mesh/errors.h"
+#include "render/camera/shutter.h"
 
 namespace automorph::turntable {
 namespace {
@@ -19,6 +20,8 @@ void check(const TimelineOptions& options) {
         throw ConfigError(fmt::format("turntable: hold is {}; it must be in [0, 0.5)", options.hold));
     if (options.alpha && !(*options.alpha >= 0 && *options.alpha <= 1))
         throw ConfigError(fmt::format("turntable: alpha is {}; it must be in [0, 1]", *options.alpha));
+    if (!(options.shutter >= 0 && options.shutter <= 1))
+        throw ConfigError(fmt::format("turntable: shutter is {}; it must be in [0, 1]", options.shutter));
 }
 
 double alpha_at(const TimelineOptions& options, double time) {
@@ -26,6 +29,22 @@ double alpha_at(const TimelineOptions& options, double time) {
     double there = time;  // share of the way, rests included
     if (options.loop == Loop::PingPong) there = time < 0.5 ? 2 * time : 2 - 2 * time;
     return ease(options.morph_easing, std::clamp((there - options.hold) / (1 - 2 * options.hold), 0.0, 1.0));
+}
+
+/// @param frame  its number, which may be between two, or beyond the sequence by less than one
+Moment moment_at(const TimelineOptions& options, double frame) {
+    const bool repeating = repeats(options);
+    const int steps = repeating ? options.frames : std::max(1, options.frames - 1);
+    const double time = frame / steps, rounds = repeating ? std::floor(time) : 0;
+    const double within = std::clamp(time - rounds, 0.0, 1.0);
+    return {alpha_at(options, within),
+            options.start + 360 * options.revolutions * (rounds + ease(options.turn_easing, within))};
+}
+
+/// By how much anything turns from one to the other at most.
+double turn_between(const Moment& a, const Moment& b) {
+    constexpr double kTurnOfMorph = 180;
+    return std::abs(b.degrees - a.degrees) + kTurnOfMorph * std::abs(b.alpha - a.alpha);
 }
 
 }  // namespace
@@ -41,14 +60,26 @@ bool repeats(const TimelineOptions& options) {
 
 std::vector<Moment> timeline(const TimelineOptions& options) {
     check(options);
-    const int steps = repeats(options) ? options.frames : std::max(1, options.frames - 1);
     std::vector<Moment> moments;
-    for (int i = 0; i < options.frames; ++i) {
-        const double time = static_cast<double>(i) / steps;
-        moments.push_back({alpha_at(options, time),
-                           options.start + 360 * options.revolutions * ease(options.turn_easing, time)});
-    }
+    for (int i = 0; i < options.frames; ++i) moments.push_back(moment_at(options, i));
     return moments;
+}
+
+std::vector<Exposure> exposures(const TimelineOptions& options) {
+    check(options);
+    double turn = 0;
+    for (int i = 0; i < options.frames; ++i) {
+        const Moment middle = moment_at(options, i);
+        turn = std::max(turn, turn_between(moment_at(options, i - 0.5 * options.shutter), middle) +
+                                  turn_between(middle, moment_at(options, i + 0.5 * options.shutter)));
+    }
+    const std::vector<double> times = render::shutter_times(options.shutter, render::shutter_steps(turn));
+    std::vector<Exposure> frames(static_cast<std::size_t>(options.frames));
+    for (int i = 0; i < options.frames; ++i) {
+        for (const double time : times)
+            frames[static_cast<std::size_t>(i)].steps.push_back(moment_at(options, i + time));
+    }
+    return frames;
 }
 
 }  // namespace automorph::turntable

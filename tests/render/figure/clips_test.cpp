@@ -1,7 +1,6 @@
 #include "render/figure/clips.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <set>
 
@@ -55,17 +54,6 @@ double chroma(const render::Image& image) {
 }
 
 }  // namespace
-
-TEST_CASE("a loop goes from the source to the target and back, slowly at both, without a seam") {
-    for (const int frames : {1, 2, 7, 48}) {
-        CHECK(loop_alpha(0, frames) == 0.0);
-        for (int i = 1; i < frames; ++i) CHECK(loop_alpha(i, frames) == loop_alpha(frames - i, frames));
-    }
-    CHECK(loop_alpha(24, 48) == Approx(1.0));
-    CHECK(loop_alpha(12, 48) == Approx(0.5));
-    CHECK(loop_alpha(1, 48) < 0.2 / 24);
-    for (int i = 1; i <= 24; ++i) CHECK(loop_alpha(i, 48) > loop_alpha(i - 1, 48));
-}
 
 TEST_CASE("videos have the cells' shape, with even sides") {
     FigureConfig config = parse_config(kTinyClips, "tiny.yaml");
@@ -122,6 +110,16 @@ TEST_CASE("each row has a video, one row turns, and half of a loop's frames are 
     CHECK(content(other / "row2.webm") == content(folder / "row2.webm"));
     options.frames = Selection("7");
     CHECK_THROWS_AS(make_clips(config, options, other.path(), part), ConfigError);
+
+    // A shutter that is never open blurs nothing, to the last bit; one that is, all that moves.
+    for (const bool open : {false, true}) {
+        const FigureConfig again =
+            parse_config(kTinyClips, "tiny.yaml", {open ? "video.shutter=0.5" : "video.shutter=0"});
+        make_clips(again, {}, other.path(), figure);
+        CHECK((content(other / "turntable.mp4") == content(folder / "turntable.mp4")) == !open);
+        CHECK((content(other / "row2.mp4") == content(folder / "row2.mp4")) == !open);
+        CHECK(figure.rows[1].clip->stills.size() == 4);
+    }
 }
 
 TEST_CASE("clips are coloured and marked as the cells are", "[sweep]") {

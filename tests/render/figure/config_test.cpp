@@ -176,6 +176,9 @@ TEST_CASE("a value of the wrong type is refused where it stands") {
                 {"picture.fov: found a list of 1, expected a number"});
     check_error(kShortest + "picture: {fov: .nan}\n", "4:16", {"found '.nan'"});
     check_error(kShortest + "picture: {fov: nan}\n", "4:16", {"found 'nan'"});
+    check_error(kShortest + "video: {shutter: 1.5}\n", "4:18",
+                {"video.shutter: found '1.5', expected a number from 0 to 1"});
+    check_error(kShortest + "video: {shutter: -0.1}\n", "4:18", {"video.shutter: found '-0.1'"});
     check_error(kShortest + "picture: {fov: 20x}\n", "4:16", {"found '20x'"});
     check_error(kShortest + "picture: 5\n", "4:10", {"picture: found '5', expected a mapping of width"});
     check_error(kShortest + "picture: {view: [1, 2]}\n", "4:17",

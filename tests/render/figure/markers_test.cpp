@@ -51,12 +51,12 @@ TEST_CASE("markers go with the surface") {
                 Eigen::Map<const Eigen::Vector3f>(scene.mesh(0).positions(0) + 3 * v).cast<double>() / half;
         return sum;
     };
-    markers.move(scene, V);
+    markers.move(scene, {V});
     CHECK((center(0) - Eigen::Vector3d(0, 5, 0)).norm() < 1e-5);
     CHECK((center(1) - Eigen::Vector3d(1, 0, 0)).norm() < 1e-5);
-    markers.move(scene, 2 * V);
+    markers.move(scene, {2 * V});
     CHECK((center(0) - Eigen::Vector3d(0, 10, 0)).norm() < 1e-5);
     Markers none(scene, {}, 0.5);
-    none.move(scene, V);
+    none.move(scene, {V});
     CHECK(scene.mesh_count() == 1);
 }

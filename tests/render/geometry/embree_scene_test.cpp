@@ -123,12 +123,13 @@ TEST_CASE("corrections are added to computed normals of unit length, from the ne
     const Vec3 before = mesh.corner_normals(0)[0];
     Points corrections = Points::Zero(8, 3);
     corrections.col(2).setConstant(2.0);
-    mesh.correct_normals(corrections);
+    mesh.correct_normals({corrections});
     CHECK((mesh.corner_normals(0)[0] - before).norm() == 0.0f);
     mesh.move({cube.V});
     CHECK((mesh.corner_normals(0)[0] - (before + Vec3(0, 0, 2)).normalized()).norm() < 1e-6f);
     mesh.correct_normals({});
     mesh.move({cube.V});
     CHECK((mesh.corner_normals(0)[0] - before).norm() == 0.0f);
-    CHECK_THROWS_AS(mesh.correct_normals(Points::Zero(7, 3)), InvalidMesh);
+    CHECK_THROWS_AS(mesh.correct_normals({Points::Zero(7, 3)}), InvalidMesh);
+    CHECK_THROWS_AS(mesh.correct_normals({corrections, corrections}), InvalidMesh);
 }

@@ -210,7 +210,8 @@ TEST_CASE("a rerun makes nothing anew but what changed", "[sweep]") {
     CHECK(made_by(command + " --frame-range 3-5 --seed 9") == 3);
     CHECK(made_by(command) == 3);
     CHECK(files_in(folder / "t") == first);
-    for (const char* change : {" --elevation 20", " --start 10", " --up z", " --flat", " --fov 30"}) {
+    for (const char* change :
+         {" --elevation 20", " --start 10", " --shutter 0.5", " --up z", " --flat", " --fov 30"}) {
         INFO(change);
         CHECK(made_by(command + change) == 12);
     }
@@ -289,6 +290,7 @@ TEST_CASE("a full disk, a folder that cannot be written and wrong options are on
     CHECK(error_of(folder, command + "f_.png --up w").find("axis 'w'") != std::string::npos);
     CHECK(error_of(folder, command + "f_.png --up z --view z").find("along the up axis") !=
           std::string::npos);
+    CHECK(error_of(folder, command + "f_.png --shutter 1.5").find("--shutter") != std::string::npos);
     CHECK(error_of(folder, command + "f_.png --hold 0.1").find("TARGET") != std::string::npos);
     CHECK(files_in(folder.path()) == before);
 }

@@ -83,7 +83,7 @@ TEST_CASE("only what is missing, damaged or outdated is made, and comes out the 
     const Mesh mesh = ellipsoid({1, 0.6, 0.4}, {.triangles = 200});
     TimelineOptions options;
     options.frames = 5;
-    const std::vector<Moment> moments = timeline(options);
+    const std::vector<Exposure> frames = exposures(options);
     StageOptions picture;
     picture.width = picture.height = 24;
     picture.spp = 2;
@@ -92,7 +92,7 @@ TEST_CASE("only what is missing, damaged or outdated is made, and comes out the 
     for (int i = 0; i < 5; ++i) sequence.files.push_back(folder / (std::to_string(i) + ".png"));
     sequence.last = 4;
     sequence.inputs = [&](int frame) { return std::to_string(version) + " " + std::to_string(frame); };
-    Stage stage({mesh.F, [V = mesh.V](double) { return V; }}, moments, picture);
+    Stage stage({mesh.F, [V = mesh.V](double) { return V; }}, frames, picture);
 
     std::vector<double> fractions;
     std::string detail;
@@ -101,7 +101,7 @@ TEST_CASE("only what is missing, damaged or outdated is made, and comes out the 
         if (!text.empty()) detail = text;
     };
     REQUIRE(open_frames(sequence).size() == 5);
-    make_frames(stage, moments, sequence, open_frames(sequence), progress);
+    make_frames(stage, frames, sequence, open_frames(sequence), progress);
     CHECK(std::is_sorted(fractions.begin(), fractions.end()));
     CHECK(fractions.back() == 1);
     CHECK(std::count(fractions.begin(), fractions.end(), 1.0) == 1);
@@ -118,7 +118,7 @@ TEST_CASE("only what is missing, damaged or outdated is made, and comes out the 
     CHECK(open[0].state == FrameState::Missing);
     CHECK(open[1].frame == 3);
     CHECK(open[1].state == FrameState::Damaged);
-    make_frames(stage, moments, sequence, open, {});
+    make_frames(stage, frames, sequence, open, {});
     for (std::size_t i = 0; i < 5; ++i) CHECK(content(sequence.files[i]) == before[i]);
 
     version = 2;

@@ -115,3 +115,36 @@ TEST_CASE("timelines out of range are refused") {
     refused([](TimelineOptions& options) { options.alpha = 1.1; });
     refused([](TimelineOptions& options) { options.revolutions = std::nan(""); });
 }
+
+TEST_CASE("an exposure is centred on its frame, and a loop's first one begins in the last round") {
+    TimelineOptions options;
+    options.frames = 24;
+    options.shutter = 0.5;
+    const std::vector<Moment> moments = timeline(options);
+    const std::vector<Exposure> frames = exposures(options);
+    REQUIRE(frames.size() == 24);
+    for (std::size_t i = 0; i < 24; ++i) {
+        CHECK(frames[i].middle() == moments[i]);
+        REQUIRE(frames[i].steps.size() == frames[0].steps.size());
+        CHECK(frames[i].steps.front().degrees == Approx(moments[i].degrees - 3.75));
+        CHECK(frames[i].steps.back().degrees == Approx(moments[i].degrees + 3.75));
+    }
+    // Ping-pong: what the shutter sees before the source is what it sees after it.
+    CHECK(frames[0].steps.front().alpha == Approx(frames[0].steps.back().alpha));
+    CHECK(frames[0].steps.front().alpha > 0);
+
+    options.shutter = 0;
+    for (const Exposure& frame : exposures(options)) CHECK(frame.steps.size() == 1);
+    // At rest before and after.
+    options.shutter = 1;
+    options.revolutions = 0.25;
+    options.loop = Loop::Once;
+    const std::vector<Exposure> once = exposures(options);
+    CHECK(once.front().steps.front() == once.front().middle());
+    CHECK(once.front().steps.back().degrees > 0);
+    CHECK(once.back().steps.back() == Moment{1, 90});
+    for (const double wrong : {-0.1, 1.1, std::nan("")}) {
+        options.shutter = wrong;
+        CHECK_THROWS_AS(exposures(options), ConfigError);
+    }
+}
