@@ -24,7 +24,7 @@ public:
 
 private:
     Subject subject_;
-    const std::optional<ColorScale>& scale_;
+    std::optional<ColorScale> scale_;
 };
 
 }  // namespace automorph
