@@ -1,11 +1,16 @@
 #!/usr/bin/env bash
-# Blender loads a .glb and shows the library's frames. Skipped (status 77) where Blender is not installed.
+# Blender loads a .glb and shows the library's frames. Skipped (status 77) where Blender is not installed, or not
+# the numpy without which it loads no glTF.
 #   blender_test.sh AUTOMORPH
 set -euo pipefail
 automorph=$1
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 if ! command -v blender >/dev/null; then
     echo "skipped: Blender is not installed (Debian package blender)"
+    exit 77
+fi
+if ! blender -b --factory-startup --python-exit-code 1 --python-expr "import numpy" >/dev/null 2>&1; then
+    echo "skipped: Blender has no numpy, so it loads no glTF (Debian package python3-numpy)"
     exit 77
 fi
 work=$(mktemp -d)
