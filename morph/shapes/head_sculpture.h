@@ -50,7 +50,7 @@ S face(const Vec<S>& p, const Vec<S>& q) {
     // cheek up to the lower lid
     d = blend(d, ellipsoid(q, {3.2, -1.9, 6.55}, {1.9, 1.0, 1.2}), 1.3);
     // muzzle: what the lips lie on
-    d = blend(d, ellipsoid(p, {0, -6.7, 7.4}, {2.6, 2.2, 2.1}), 1.8);
+    d = blend(d, ellipsoid(p, {0, -6.4, 7.3}, {2.65, 2.6, 2.15}), 1.8);
     // chin
     d = blend(d, ellipsoid(q, {0.5, -10.1, 7.75}, {1.25, 1.3, 1.4}), 1.7);
     return d;
@@ -69,8 +69,15 @@ S neck(const Vec<S>& p, const Vec<S>& q) {
     d = swell(d, p, {0, -13.6, 2.2}, {1.6, 2.0, 1.8}, 0.14);
     // trapezius
     d = blend(d, limb(q, {1.8, 0.0, -4.4}, {4.4, -21.0, -6.6}, 1.4, 2.2), 3.0);
-    // The bust stands on an oval.
-    return blend(d, ellipsoid(p, {0, -18.6, -4.0}, {5.9, 4.4, 6.2}), 2.0);
+    return d;
+}
+
+/// The neck ends in an oval, cut level.
+template <class S>
+S with_stand(const S& d, const Vec<S>& p) {
+    if (value_of(p.y) > -11.5) return d;
+    const S oval = limb(p, {0, -10.0, -3.4}, {0, -30.0, -5.8}, 5.5, 6.7), share = ramp(p.y, -11.5, -17.0);
+    return carve(S(d + share * (oval - d)), S(p.y + 17.0), 2.0);
 }
 
 // ---- eyes ------------------------------------------------------------------------------------------
@@ -144,15 +151,15 @@ S with_mouth(S d, const Vec<S>& p, const Vec<S>& q) {
     const S s = soft_abs(p.x, 0.12) * (1.0 / 2.65), s2 = s * s;
     const S in = ramp(s, 1.06, 0.6), left = 1.0 - s2, wide = 0.5 * (left + soft_abs(left, 0.15));
     const S meet =
-        -6.95 - 0.14 * s2 + 0.09 * bump(S((s - 0.45) * (1.0 / 0.45))) - 0.06 * bump(S(s * (1.0 / 0.35)));
+        -6.95 + 0.02 * s2 + 0.07 * bump(S((s - 0.45) * (1.0 / 0.45))) - 0.06 * bump(S(s * (1.0 / 0.35)));
     const S top = meet + 0.08 + wide * 0.60 + 0.13 * bump(S((s - 0.26) * (1.0 / 0.36)));
     const S bottom = meet - 0.08 - wide * 0.92;
     // Heights above the face: t is 0 where the lips meet, 1 at the border.
     const S tu = (p.y - meet) / (top - meet), tl = (meet - p.y) / (meet - bottom);
-    const S upper = ramp(tu, 1.6, 0.4) * (0.13 + 0.14 * ramp(tu, 0.0, 0.6)),
-            lower = ramp(tl, 1.6, 0.4) * (0.13 + 0.24 * ramp(tl, 0.0, 0.6));
+    const S upper = ramp(tu, 1.35, 0.65) * (0.12 + 0.15 * ramp(tu, 0.0, 0.55)),
+            lower = ramp(tl, 1.4, 0.6) * (0.12 + 0.25 * ramp(tl, 0.0, 0.55));
     const S high = value_of(tu) > 0 ? upper : lower;
-    const S slit = bump(S((p.y - meet) * (1.0 / 0.24))) * ramp(s, 1.12, 0.8);
+    const S slit = bump(S((p.y - meet) * (1.0 / 0.20))) * ramp(s, 1.12, 0.8);
     d = d - (in * high - 0.16 * slit) * ramp(p.z, 6.5, 8.0);
     // philtrum and the furrow below
     d = carve(d, limb(p, {0, -5.0, 10.25}, {0, -6.1, 10.35}, 0.24, 0.34), 0.4);
@@ -223,7 +230,7 @@ S head_sculpture(const Vec<S>& p) {
     d = with_mouth(d, p, q);
     d = with_eyes(d, q);
     d = with_ears(d, q);
-    return carve(d, S(p.y + 17.0), 2.4);
+    return with_stand(d, p);
 }
 
 }  // namespace automorph::sculpt
