@@ -12,6 +12,7 @@
 #include "morph/alignment/guide.h"
 #include "morph/cut/cut.h"
 #include "morph/follow.h"
+#include "morph/halves.h"
 #include "morph/merge_disks.h"
 #include "morph/merge_spheres.h"
 #include "morph/mesh/admit.h"
@@ -29,10 +30,6 @@
 namespace automorph {
 
 namespace {
-
-Site vertex_site(int v) {
-    return {{v, -1, -1}, {1.0, 0.0, 0.0}, 1};
-}
 
 InputMesh input_mesh(const PolygonSoup& soup, const std::string& name) {
     AdmittedMesh admitted = admit(soup, name);
@@ -270,8 +267,8 @@ private:
                 control.target_reversed = false;
             }
         }
-        const Disk a0 = half(source_cut, 0), a1 = half(source_cut, 1), b0 = half(target_cut, 0),
-                   b1 = half(target_cut, 1);
+        const Disk a0 = disk_of(source_cut, 0), a1 = disk_of(source_cut, 1), b0 = disk_of(target_cut, 0),
+                   b1 = disk_of(target_cut, 1);
         const BorderUnion border = border_union(loop_points(a0), loop_points(b0), control);
         report_.border = report_of(border);
         const auto merged_half = [&](const Disk& a, const Disk& b, const BorderUnion& shared,
@@ -284,61 +281,15 @@ private:
         };
         const MergedPair first = merged_half(a0, b0, border, " half 1");
         const MergedPair second = merged_half(a1, b1, mirrored(border), " half 2");
-        merged_ = glue(first, second);
+        merged_ = glued(first, second);
     }
 
     static Points loop_points(const Disk& disk) { return disk.mesh.V(disk.loop, Eigen::all); }
 
     static Disk whole(const Shape& shape, const std::vector<int>& loop) {
         Disk disk{shape.mesh, loop, {}};
-        for (int v = 0; v < shape.mesh.vertex_count(); ++v) disk.sites.push_back(vertex_site(v));
+        for (int v = 0; v < shape.mesh.vertex_count(); ++v) disk.sites.push_back(site_of_vertex(v));
         return disk;
-    }
-
-    static Disk half(const CutMesh& cut_mesh, std::size_t which) {
-        const Half& half = cut_mesh.halves[which];
-        Disk disk{half.mesh, half.loop, {}};
-        for (const int v : half.vertex) {
-            if (v >= 0) {
-                disk.sites.push_back(vertex_site(v));
-            } else {
-                const auto& point = cut_mesh.points[static_cast<std::size_t>(-1 - v)];
-                disk.sites.push_back({{point.from, point.to, -1}, {1.0 - point.ratio, point.ratio, 0.0}, 2});
-            }
-        }
-        return disk;
-    }
-
-    /// Two merged halves share their border: vertex k of the first is vertex (n - k) mod n of the second.
-    static MergedPair glue(const MergedPair& first, const MergedPair& second) {
-        MergedPair all = first;
-        std::vector<int> vertex(second.on_a.size(), -1);
-        const std::size_t n = first.border.size();
-        for (std::size_t k = 0; k < n; ++k) {
-            vertex[static_cast<std::size_t>(second.border[(n - k) % n])] = first.border[k];
-        }
-        std::vector<int> own;  // vertices of the second that are not on the border
-        for (std::size_t v = 0; v < vertex.size(); ++v) {
-            if (vertex[v] >= 0) continue;
-            vertex[v] = static_cast<int>(all.on_a.size());
-            all.on_a.push_back(second.on_a[v]);
-            all.on_b.push_back(second.on_b[v]);
-            own.push_back(static_cast<int>(v));
-        }
-        all.points_a.conservativeResize(static_cast<Eigen::Index>(all.on_a.size()), 3);
-        all.points_b.conservativeResize(static_cast<Eigen::Index>(all.on_b.size()), 3);
-        const auto added = static_cast<Eigen::Index>(own.size());
-        all.points_a.bottomRows(added) = second.points_a(own, Eigen::all);
-        all.points_b.bottomRows(added) = second.points_b(own, Eigen::all);
-        all.F.conservativeResize(first.F.rows() + second.F.rows(), 3);
-        for (Eigen::Index f = 0; f < second.F.rows(); ++f) {
-            for (int k = 0; k < 3; ++k)
-                all.F(first.F.rows() + f, k) = vertex[static_cast<std::size_t>(second.F(f, k))];
-        }
-        all.in_filling.insert(all.in_filling.end(), second.in_filling.begin(), second.in_filling.end());
-        all.maps.insert(all.maps.end(), second.maps.begin(), second.maps.end());
-        all.border.clear();
-        return all;
     }
 
     /// Filled openings are opened again: merged triangles in a filling of either shape go.

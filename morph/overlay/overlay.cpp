@@ -88,13 +88,9 @@ void keep_order(const HalfEdgeTable& half_edges, const EdgePieces& of_map, std::
     }
 }
 
-Site vertex_site(int v) {
-    return {{v, -1, -1}, {1.0, 0.0, 0.0}, 1};
-}
-
 /// The place of a ray as weights: det[x b c] : det[x c a] : det[x a b].
 Site site(const MapView& map, Place place, const Ray& x) {
-    if (place.on == On::Vertex) return vertex_site(place.index);
+    if (place.on == On::Vertex) return site_of_vertex(place.index);
     const int h = place.on == On::Face ? 3 * place.index : place.index;
     const int u = map.half_edges.from(h), v = map.half_edges.to(h), w = map.half_edges.apex(h);
     Site result{
@@ -162,7 +158,7 @@ private:
         std::iota(result_.vertex_of_a.begin(), result_.vertex_of_a.end(), 0);
         known_.place.resize(at(na));
         known_.touched.assign(at(a_.half_edges.count()), 0);
-        for (int v = 0; v < na; ++v) result_.on_a.push_back(vertex_site(v));
+        for (int v = 0; v < na; ++v) result_.on_a.push_back(site_of_vertex(v));
         result_.on_b.resize(at(na));  // until pieces_of_a has placed them
         for (int v = 0; v < nb; ++v) {
             const Place place = in_a_.place[at(v)];
@@ -176,7 +172,7 @@ private:
             }
             result_.vertex_of_b[at(v)] = result_.vertex_count();
             result_.on_a.push_back(site(a_, place, b_.ray(v)));
-            result_.on_b.push_back(vertex_site(v));
+            result_.on_b.push_back(site_of_vertex(v));
             if (place.on == On::Edge) {
                 ++result_.on_edges;
                 known_.touched[at(place.index)] = 1;

@@ -14,6 +14,10 @@ struct Site {
     int count = 0;
 };
 
+inline Site site_of_vertex(int v) {
+    return {{v, -1, -1}, {1.0, 0.0, 0.0}, 1};
+}
+
 /// The common refinement of two maps of the same domain, [Kent92], [Urtasun04] Sec. 3 and 4.4.
 struct Overlay {
     std::vector<Site> on_a, on_b;  ///< per merged vertex: where it lies on either mesh

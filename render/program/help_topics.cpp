@@ -165,6 +165,7 @@ coordinates are those of your mesh files. The shape key "target" is the morph,
 the object's rotation and location its rigid part. Vertices that no triangle
 uses are left out by Blender.
 
+Debian's Blender reads glTF files with the package python3-numpy only.
 Debian 12's Blender 3.4 stops with "module 'numpy' has no attribute 'bool'" on
 any glTF file with normals. In the import dialog, set Shading to Smooth Shading.
 
