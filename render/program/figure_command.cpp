@@ -106,7 +106,7 @@ void settle_other_files(const Job& job, const FileNames& made, const Surrounding
     const bool is_part = !part_text(job.options).empty();
     if (!is_part) remove_files(job.folder, others);
     if (surroundings.quiet) return;
-    fmt::print("\n{} of an earlier run: {}{}\n", is_part ? "kept" : "removed", some_of(others),
+    fmt::print("\n{} {} of an earlier run{}\n", is_part ? "kept" : "removed", some_of(others),
                is_part ? "; page and sheet show this run only" : "");
 }
 
