@@ -40,9 +40,17 @@ void map_onto_disk(BorderedDisks& disks, const std::string& label, Report& repor
     const StageClock clock(report, "maps" + label);
     const Points circle = border_rays(disks.angles);
     for (MappedPart* part : {&disks.a, &disks.b}) {
-        DiskMap map = disk_map(part->mesh, part->loop, circle);
-        report.maps.push_back(report_of((part == &disks.a ? "source" : "target") + label, map));
-        part->rays = std::move(map.rays);
+        const std::string name = (part == &disks.a ? "source" : "target") + label;
+        try {
+            DiskMap map = disk_map(part->mesh, part->loop, circle);
+            report.maps.push_back(report_of(name, map));
+            part->rays = std::move(map.rays);
+        } catch (const SolverFailure& failure) {
+            throw SolverFailure(
+                fmt::format("{}: {}; the sphere takes what the disk squeezes to nothing: choose the domain "
+                            "auto or sphere",
+                            name, failure.what()));
+        }
     }
 }
 

@@ -65,8 +65,8 @@ void write_file(const fs::path& file, std::string_view bytes) {
     errno = 0;
     std::ofstream out(aside, std::ios::binary | std::ios::trunc);
     if (!out) {
-        throw IoError(fmt::format("{}: cannot be written: {}; check that its folder exists and is writable",
-                                  file.string(), std::strerror(errno)));
+        throw IoError(fmt::format("{}: cannot be written: {}{}", file.string(), std::strerror(errno),
+                                  errno == ENOENT ? "; does its folder exist?" : ""));
     }
     errno = 0;
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

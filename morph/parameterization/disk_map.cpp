@@ -195,10 +195,8 @@ DiskMap disk_map(const Mesh& mesh, const std::vector<int>& loop, const Points& b
         }
         append(map.reason, fmt::format("{} remain after repair", repaired.flipped));
     }
-    throw SolverFailure(fmt::format(
-        "no one-to-one map onto the disk: {} ({} vertices, {} triangles); the sphere takes what the "
-        "disk squeezes to nothing: choose the domain auto or sphere",
-        map.reason, mesh.vertex_count(), mesh.triangle_count()));
+    throw SolverFailure(fmt::format("no one-to-one map onto the disk: {} ({} vertices, {} triangles)",
+                                    map.reason, mesh.vertex_count(), mesh.triangle_count()));
 }
 
 }  // namespace automorph

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "morph/mesh/write_file.h"
 #include "render/figure/loops.h"
@@ -48,10 +49,20 @@ Shooting loop_shooting(const FigureConfig& config, const FigureOptions& options,
     return shooting;
 }
 
-/// Browsers and editors play one or the other.
-std::vector<std::filesystem::path> video_files(const std::filesystem::path& folder, const std::string& name) {
-    return {folder / (name + ".mp4"), folder / (name + ".webm")};
+/// Those of `count` frames that are selected, from 0.
+std::vector<int> selected_frames(const Selection& frames, int count) {
+    std::vector<int> selected;
+    for (int i = 0; i < count; ++i) {
+        if (frames.has(static_cast<std::size_t>(i))) selected.push_back(i);
+    }
+    return selected;
 }
+
+std::string row_clip_name(std::size_t number) {
+    return fmt::format("row{}", number + 1);
+}
+
+constexpr const char* kTurntable = "turntable";
 
 void encode(const std::vector<VideoFrame>& stills, const std::vector<int>& still_of_frame, double fps,
             const std::vector<std::filesystem::path>& files) {
@@ -84,9 +95,8 @@ Clip row_clip(const FigureConfig& config, const Shooting& shooting, const Figure
     const int frames = config.video.frames;
     const std::string task = fmt::format("video of row {} ({})", row.number + 1, row.config.label);
     std::vector<int> stills, shown;  // numbers of stills; per frame its place among them
-    for (int i = 0; i < frames; ++i) {
-        if (shooting.options.frames.has(static_cast<std::size_t>(i))) stills.push_back(still_of(i, frames));
-    }
+    for (const int i : selected_frames(shooting.options.frames, frames))
+        stills.push_back(still_of(i, frames));
     shown = stills;
     std::sort(stills.begin(), stills.end());
     stills.erase(std::unique(stills.begin(), stills.end()), stills.end());
@@ -94,7 +104,7 @@ Clip row_clip(const FigureConfig& config, const Shooting& shooting, const Figure
         still = static_cast<int>(std::lower_bound(stills.begin(), stills.end(), still) - stills.begin());
 
     Clip clip;
-    clip.name = fmt::format("row{}", row.number + 1);
+    clip.name = row_clip_name(row.number);
     clip.width = shooting.width;
     clip.height = shooting.height;
     clip.frames = static_cast<int>(shown.size());
@@ -120,14 +130,10 @@ Clip row_clip(const FigureConfig& config, const Shooting& shooting, const Figure
     return clip;
 }
 
-/// The row that turns, unless it is not selected.
-const FigureRow* turning_row(const FigureConfig& config, const Figure& figure) {
-    const auto last = config.rows.size() - 1;
-    const auto number =
-        config.video.turntable_row > 0 ? static_cast<std::size_t>(config.video.turntable_row) - 1 : last;
-    const auto row = std::find_if(figure.rows.begin(), figure.rows.end(),
-                                  [&](const FigureRow& each) { return each.number == number; });
-    return row == figure.rows.end() ? nullptr : &*row;
+/// Number of the row that turns.
+std::size_t turning_row(const FigureConfig& config) {
+    return config.video.turntable_row > 0 ? static_cast<std::size_t>(config.video.turntable_row) - 1
+                                          : config.rows.size() - 1;
 }
 
 /// Frames go to ffmpeg as they are rendered.
@@ -144,16 +150,13 @@ Clip turntable_clip(const FigureConfig& config, const FigureOptions& options, co
     shooting.adaptive_error = kVideoError;
 
     Clip clip;
-    clip.name = "turntable";
+    clip.name = kTurntable;
     clip.width = shooting.width;
     clip.height = shooting.height;
     RowSubject subject(shooting, row, figure.scale);
     const FrameColors colors(config, row.motion);
     VideoEncoder encoder(video_files(folder, clip.name), clip.width, clip.height, config.video.fps);
-    std::vector<int> indices;
-    for (int i = 0; i < config.video.turntable; ++i) {
-        if (options.frames.has(static_cast<std::size_t>(i))) indices.push_back(i);
-    }
+    const std::vector<int> indices = selected_frames(options.frames, config.video.turntable);
     PictureProgress progress(options.progress, task, "frame", indices.size());
     for (const int i : indices) {
         subject.correct_normals(table.shading(i));
@@ -181,23 +184,45 @@ VideoSize video_size(const FigureConfig& config) {
     return {side(config.picture.width), side(config.picture.height)};
 }
 
+std::vector<std::string> clip_names(const FigureConfig& config, const FigureOptions& options) {
+    std::vector<std::string> names;
+    if (config.show != Show::Morph) return names;
+    if (!selected_frames(options.frames, config.video.frames).empty()) {
+        for (std::size_t row = 0; row < config.rows.size(); ++row) {
+            if (options.rows.has(row)) names.push_back(row_clip_name(row));
+        }
+    }
+    if (options.rows.has(turning_row(config)) &&
+        !selected_frames(options.frames, config.video.turntable).empty())
+        names.emplace_back(kTurntable);
+    return names;
+}
+
+std::vector<std::filesystem::path> video_files(const std::filesystem::path& folder, const std::string& name) {
+    return {folder / (name + ".mp4"), folder / (name + ".webm")};
+}
+
 void make_clips(const FigureConfig& config, const FigureOptions& options, const std::filesystem::path& folder,
                 Figure& figure) {
-    if (config.show != Show::Morph || (config.video.frames == 0 && config.video.turntable == 0)) return;
-    options.frames.check(static_cast<std::size_t>(std::max(config.video.frames, config.video.turntable)),
-                         "frame");
+    const std::vector<std::string> names = clip_names(config, options);
+    if (names.empty()) return;
+    const auto wanted = [&](const std::string& name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
     const Stopwatch filming;
     make_folder(folder);
     const bool encodes = has_ffmpeg();
     if (!encodes) figure.no_videos = "the program ffmpeg is not installed (Debian package ffmpeg)";
-    if (config.video.frames > 0) {
-        const Shooting shooting = loop_shooting(config, options, figure);
-        for (FigureRow& row : figure.rows)
-            row.clip = row_clip(config, shooting, figure, row, folder, encodes);
+    std::optional<Shooting> shooting;
+    for (FigureRow& row : figure.rows) {
+        if (!wanted(row_clip_name(row.number))) continue;
+        if (!shooting) shooting.emplace(loop_shooting(config, options, figure));
+        row.clip = row_clip(config, *shooting, figure, row, folder, encodes);
     }
-    const FigureRow* row = turning_row(config, figure);
-    if (encodes && row && config.video.turntable > 0)
-        figure.turntable = turntable_clip(config, options, figure, *row, folder);
+    for (const FigureRow& row : figure.rows) {
+        if (encodes && row.number == turning_row(config) && wanted(kTurntable))
+            figure.turntable = turntable_clip(config, options, figure, row, folder);
+    }
     figure.video_seconds = filming.seconds();
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "render/figure/config.h"
 #include "render/figure/figure.h"
@@ -14,11 +16,16 @@ struct VideoSize {
 };
 VideoSize video_size(const FigureConfig& config);
 
+/// What make_clips() makes of the selected rows and frames, by name: "row1", "turntable".
+std::vector<std::string> clip_names(const FigureConfig& config, const FigureOptions& options);
+
+/// Browsers and editors play one or the other: NAME.mp4, NAME.webm.
+std::vector<std::filesystem::path> video_files(const std::filesystem::path& folder, const std::string& name);
+
 /// Renders each row's loop and the turntable, fills in FigureRow::clip and Figure::turntable and, where
 /// ffmpeg is installed, writes row<i>.mp4, turntable.mp4 and both as .webm; Figure::no_videos says why not.
 /// Figures that show no morph have none.
 /// @throws IoError a file cannot be written, or ffmpeg gives up; nothing half-written is left
-/// @throws ConfigError a frame beyond the loop is selected
 void make_clips(const FigureConfig& config, const FigureOptions& options, const std::filesystem::path& folder,
                 Figure& figure);
 

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <iostream>
+#include <iterator>
+
 #include "render/figure/config_keys.h"
 
 namespace automorph {
@@ -21,6 +24,7 @@ std::string range_text(const ConfigKey& key) {
 }  // namespace
 
 FigureConfig load_config(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+    if (file == "-") return parse_config({std::istreambuf_iterator<char>(std::cin), {}}, "stdin", overrides);
     return parse_config(config::read_config_text(file), file, overrides);
 }
 

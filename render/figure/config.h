@@ -223,6 +223,7 @@ struct FigureConfig {
 /// any YAML
 ///                   value; paths in them are relative to the working directory
 /// @throws ConfigError `file:line:column: what was found, what is allowed`
+/// @param file  "-": standard input, as a file "stdin" in the working directory
 /// @throws IoError     the file cannot be read
 FigureConfig load_config(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 

@@ -216,6 +216,8 @@ void apply_override(Sources& sources, const YAML::Node& top, const std::string& 
     const std::vector<std::string> steps = steps_of(text.substr(0, equals));
     if (equals == std::string::npos || steps.empty() || steps.front().front() == '[')
         fail("expected KEY=VALUE with the key's path, e.g. picture.spp=16 or rows[0].domain=disk");
+    if (steps.front() == "extends") fail("it has been followed by now; give a config that extends the other");
+    if (text.find_first_not_of(' ', equals + 1) == std::string::npos) fail("there is no value");
     // Parsed as texts of their own, so that errors find them.
     const auto parsed = [&](const std::string& part) {
         return YAML::Load(sources.add(option, {}, false, part));

@@ -198,6 +198,25 @@ FigureGrid figure_grid(const FigureConfig& config) {
     return {};
 }
 
+std::string part_text(const FigureOptions& options) {
+    std::string text;
+    for (const auto& [name, selection] :
+         {std::pair{"rows", &options.rows}, {"cells", &options.cells}, {"frames", &options.frames}}) {
+        if (!selection->empty())
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, selection->text());
+    }
+    return text;
+}
+
+void check_selections(const FigureConfig& config, const FigureOptions& options) {
+    const FigureGrid grid = figure_grid(config);
+    options.rows.check(grid.rows, "row");
+    options.cells.check(grid.columns, "cell");
+    const int frames = std::max(config.video.frames, config.video.turntable);
+    if (config.show == Show::Morph && frames > 0)
+        options.frames.check(static_cast<std::size_t>(frames), "frame");
+}
+
 Figure render_figure(const FigureConfig& config, const FigureOptions& options) {
     Figure figure;
     figure.width = std::max(1, static_cast<int>(std::lround(config.picture.width * options.scale)));
@@ -206,9 +225,8 @@ Figure render_figure(const FigureConfig& config, const FigureOptions& options) {
     if (figure.spp < 1)
         throw ConfigError(fmt::format("{} samples per pixel: expected at least 1", figure.spp));
 
-    const FigureGrid grid = figure_grid(config);
-    options.rows.check(grid.rows, "row");
-    options.cells.check(grid.columns, "cell");
+    check_selections(config, options);
+    figure.part = part_text(options);
 
     const Stopwatch whole;
     if (config.show == Show::Morph) {

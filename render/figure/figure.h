@@ -88,6 +88,7 @@ struct Figure {
     std::vector<Motion> motions;      ///< of all rows, selected or not
     std::optional<Clip> turntable;    ///< without stills
     std::string no_videos;            ///< why there are none; empty otherwise
+    std::string part;                 ///< what was selected, "rows 2, cells 1,3-4"; empty: the whole figure
     render::Camera camera;            ///< of all cells
     std::optional<ColorScale> scale;  ///< of `picture.color`, the same in all cells
     int width = 0, height = 0, spp = 0;
@@ -101,6 +102,12 @@ struct FigureGrid {
 };
 
 FigureGrid figure_grid(const FigureConfig& config);
+
+/// "rows 2, cells 1,3-4", as selected; empty if nothing was.
+std::string part_text(const FigureOptions& options);
+
+/// @throws ConfigError if a row, cell or frame is selected that the figure does not have
+void check_selections(const FigureConfig& config, const FigureOptions& options);
 
 /// Computes all cells; writes nothing.
 /// @throws IoError, InvalidMesh, SolverFailure as load_mesh() and morph() do, ConfigError if an option is out

@@ -69,6 +69,7 @@ std::string metrics_json(const FigureConfig& config, const Figure& figure) {
     for (const ConfigText& base : config.bases)
         json["extends"].push_back({{"config", base.file.string()}, {"config_text", base.text}});
     json["overrides"] = config.overrides;
+    json["part"] = figure.part;
     json["show"] = name_of(kShows, config.show);
     json["picture"] = {{"width", figure.width},
                        {"height", figure.height},

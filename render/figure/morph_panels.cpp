@@ -8,9 +8,9 @@
 namespace automorph {
 namespace {
 
-constexpr int kSide = 320;        // longer side, pixels
-constexpr double kMargin = 0.03;  // around maps, relative to half the picture
-constexpr int kMostSpp = 16;      // paths per pixel: the pictures are denoised
+constexpr int kSide = 320;           // longer side, pixels
+constexpr double kMapMargin = 0.03;  // around maps, relative to half the picture
+constexpr int kMostSpp = 16;         // paths per pixel: the pictures are denoised
 
 /// Source -> target, as it was registered.
 Eigen::Matrix3d registered_rotation(const RegistrationReport& found) {
@@ -40,7 +40,7 @@ void draw_pair(const Shooting& shooting, const DomainMaps& maps, const Eigen::Ma
 std::vector<FigureCell> draw_maps(const FigureConfig& config, const FigureOptions& options,
                                   const render::Camera& camera, const Morph& morph) {
     PictureConfig picture = config.picture;
-    picture.margin = kMargin;
+    picture.margin = kMapMargin;
     const Shooting shooting{.picture = picture,
                             .options = options,
                             .camera = camera,

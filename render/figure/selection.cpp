@@ -20,7 +20,7 @@ std::optional<std::size_t> number_of(const std::string& text) {
 
 }  // namespace
 
-Selection::Selection(const std::string& text) {
+Selection::Selection(const std::string& text) : text_(text) {
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
         const std::string part = text.substr(begin, end - begin);

@@ -18,12 +18,14 @@ public:
 
     bool has(std::size_t index) const;  ///< @param index  from 0
     bool empty() const { return ranges_.empty(); }
+    const std::string& text() const { return text_; }  ///< as it was written
 
     /// @throws ConfigError if something beyond the `count` there are is selected
     /// @param what  plural of what is numbered, for the message
     void check(std::size_t count, const std::string& what) const;
 
 private:
+    std::string text_;
     std::vector<std::pair<std::size_t, std::size_t>> ranges_;  // from 1, both ends included
 };
 

@@ -61,7 +61,9 @@ constexpr std::array kLogLevels{
 
 void add_figure(CLI::App& app, FigureArguments& arguments) {
     CLI::App* command = app.add_subcommand("figure", "Makes the figures that YAML configs describe");
-    command->add_option("CONFIG", arguments.configs, "YAML files")->type_name("YAML")->required();
+    command->add_option("CONFIG", arguments.configs, "YAML files; - reads one from standard input")
+        ->type_name("YAML")
+        ->required();
     command->add_option("--out", arguments.out, "Folder for the results [the config's output, or out/NAME]")
         ->type_name("DIR");
     command->add_option("--spp", arguments.spp, "Light paths per pixel, instead of the config's")
@@ -234,7 +236,8 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
     CLI::App* config_command = app.add_subcommand("config", "Explains or checks configs of figures");
     config_command->add_flag("--explain", config.explain, "Print every key with type, default and meaning");
     config_command->add_flag("--schema", config.schema, "Print a JSON Schema of configs, for editors");
-    config_command->add_option("CONFIG", config.checked, "YAML files to check")->type_name("YAML");
+    config_command->add_option("CONFIG", config.checked, "YAML files to check; - is standard input")
+        ->type_name("YAML");
 
     add_diff(app, diff);
     TextArguments texts;

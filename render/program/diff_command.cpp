@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -13,6 +12,7 @@
 #include "morph/mesh/write_file.h"
 #include "render/program/commands.h"
 #include "render/program/diff_report.h"
+#include "render/program/frame_files.h"
 #include "render/program/picture_diff.h"
 
 namespace automorph::program {
@@ -40,8 +40,7 @@ bool is_picture(const fs::path& file) {
     return extension == ".exr" || extension == ".png";
 }
 
-/// Paths of the pictures in a folder and below, relative to it. Files whose names begin with a dot are left
-/// out: pictures are written under such names until they are complete.
+/// Paths of the pictures in a folder and below, relative to it; not those that are hidden by a dot.
 std::vector<fs::path> pictures_in(const fs::path& folder) {
     std::vector<fs::path> result;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
@@ -128,19 +127,9 @@ void write_pictures(const std::vector<Pair>& pairs, const std::vector<PictureDif
     }
 }
 
-/// Copies aside and renames, so that a reader sees the old golden or the new one.
 void copy_over(const fs::path& from, const fs::path& to) {
     make_folder(to.parent_path());
-    const fs::path aside =
-        to.parent_path() / fmt::format(".{}.{}{}", to.stem().string(), ::getpid(), to.extension().string());
-    std::error_code error;
-    fs::copy_file(from, aside, fs::copy_options::overwrite_existing, error);
-    if (!error) fs::rename(aside, to, error);
-    if (!error) return;
-    std::error_code ignored;
-    fs::remove(aside, ignored);
-    throw IoError(
-        fmt::format("{}: cannot be replaced by {}: {}", to.string(), from.string(), error.message()));
+    write_file(to, file_content(from));
 }
 
 bool is_to_be_copied(const Pair& pair, const PictureDiff& diff) {
@@ -198,7 +187,8 @@ DiffStatus diff(const DiffArguments& arguments, bool quiet) {
 int run(const DiffArguments& arguments, const Surroundings& surroundings) noexcept {
     // Any failure has to be told from "different", whose status is that of other commands' errors.
     try {
-        return static_cast<int>(diff(arguments, surroundings.quiet));
+        const DiffStatus status = diff(arguments, surroundings.quiet);
+        if (std::fflush(stdout) == 0) return static_cast<int>(status);
     } catch (const std::bad_alloc&) {
         fmt::print(stderr, "automorph: out of memory\n");
     } catch (const std::exception& error) {

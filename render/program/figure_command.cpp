@@ -1,5 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -7,6 +10,7 @@
 #include "morph/mesh/write_file.h"
 #include "render/figure/clips.h"
 #include "render/figure/figure.h"
+#include "render/figure/folder_files.h"
 #include "render/program/commands.h"
 #include "render/program/figure_plan.h"
 #include "render/program/summary.h"
@@ -16,19 +20,44 @@ namespace {
 
 struct Job {
     FigureConfig config;
+    FigureOptions options;
     std::filesystem::path folder;
 };
 
+FigureOptions options_of(const FigureArguments& arguments, const Surroundings& surroundings) {
+    FigureOptions options;
+    options.spp = arguments.spp;
+    options.scale = arguments.scale;
+    options.denoise = arguments.denoise;
+    options.layers = arguments.layers;
+    options.threads = surroundings.threads;
+    options.progress = surroundings.progress;
+    const auto selection = [](const char* flag, const std::string& text) {
+        try {
+            return text.empty() ? Selection() : Selection(text);
+        } catch (const ConfigError& error) {
+            throw ConfigError(fmt::format("{} {}", flag, error.what()));
+        }
+    };
+    options.rows = selection("--rows", arguments.rows);
+    options.cells = selection("--cells", arguments.cells);
+    options.frames = selection("--frames", arguments.frames);
+    return options;
+}
+
 /// Reads all configs and settles their folders before anything is computed.
-std::vector<Job> jobs_of(const FigureArguments& arguments) {
+std::vector<Job> jobs_of(const FigureArguments& arguments, const Surroundings& surroundings) {
+    const FigureOptions options = options_of(arguments, surroundings);
     std::vector<Job> jobs;
     std::map<std::filesystem::path, std::filesystem::path> config_of_folder;
     for (const std::filesystem::path& file : arguments.configs) {
-        Job job{load_config(file, arguments.overrides), {}};
+        Job job{load_config(file, arguments.overrides), options, {}};
         apply_quality(arguments.quality, job.config);
+        check_selections(job.config, job.options);
         job.folder = job.config.output;
         if (arguments.out)
-            job.folder = arguments.configs.size() > 1 ? *arguments.out / file.stem() : *arguments.out;
+            job.folder =
+                arguments.configs.size() > 1 ? *arguments.out / job.config.file.stem() : *arguments.out;
         const auto [other, is_new] = config_of_folder.emplace(job.folder.lexically_normal(), file);
         if (!is_new) {
             throw ConfigError(fmt::format("{}: writes to {}, as {} does; give them different outputs",
@@ -60,39 +89,46 @@ void print_summary(const Figure& figure) {
     if (bad > 0) fmt::print("\n{} samples were not finite and left out; please report it\n", bad);
 }
 
+/// "a, b, c and 9 more"
+std::string some_of(const FileNames& names) {
+    constexpr std::size_t kTold = 3;
+    const auto end = std::next(names.begin(), static_cast<std::ptrdiff_t>(std::min(kTold, names.size())));
+    std::string text = fmt::format("{}", fmt::join(names.begin(), end, ", "));
+    if (names.size() > kTold) text += fmt::format(" and {} more", names.size() - kTold);
+    return text;
+}
+
+/// What an earlier run made in the folder and this one does not would look like a part of this figure; where
+/// only some rows, cells or frames are asked for, the others stay.
+void settle_other_files(const Job& job, const FileNames& made, const Surroundings& surroundings) {
+    const FileNames others = other_files(job.folder, made);
+    if (others.empty()) return;
+    const bool is_part = !part_text(job.options).empty();
+    if (!is_part) remove_files(job.folder, others);
+    if (surroundings.quiet) return;
+    fmt::print("\n{} {} of an earlier run{}\n", is_part ? "kept" : "removed", some_of(others),
+               is_part ? "; page and sheet show this run only" : "");
+}
+
 }  // namespace
 
 void run(const FigureArguments& arguments, const Surroundings& surroundings) {
-    for (const Job& job : jobs_of(arguments)) {
-        FigureOptions options;
-        options.spp = arguments.spp;
-        options.scale = arguments.scale;
-        options.denoise = arguments.denoise;
-        options.layers = arguments.layers;
-        options.threads = surroundings.threads;
-        options.progress = surroundings.progress;
-        const auto selection = [](const char* flag, const std::string& text) {
-            try {
-                return text.empty() ? Selection() : Selection(text);
-            } catch (const ConfigError& error) {
-                throw ConfigError(fmt::format("{} {}", flag, error.what()));
-            }
-        };
-        options.rows = selection("--rows", arguments.rows);
-        options.cells = selection("--cells", arguments.cells);
-        options.frames = selection("--frames", arguments.frames);
+    for (const Job& job : jobs_of(arguments, surroundings)) {
         if (arguments.dry_run) {
-            fmt::print("{}", figure_plan(job.config, options, job.folder));
+            fmt::print("{}", figure_plan(job.config, job.options, job.folder));
             continue;
         }
-        Figure figure = render_figure(job.config, options);
-        make_clips(job.config, options, job.folder, figure);
+        Figure figure = render_figure(job.config, job.options);
+        const FileNames made = figure_files(job.config, job.options);
+        list_files(job.folder, made);
+        make_clips(job.config, job.options, job.folder, figure);
         write_figure(job.config, figure, job.folder);
+        if (!surroundings.quiet) print_summary(figure);
+        settle_other_files(job, made, surroundings);
         if (surroundings.quiet) {
             for (const Report& report : figure.morphs) warn_of_doubts(report, surroundings);
             continue;
         }
-        print_summary(figure);
         if (!figure.no_videos.empty()) fmt::print("\nno videos: {}\n", figure.no_videos);
         fmt::print(
             "\n{}: meshes {:.1f} s, morphs {:.1f} s, checks {:.1f} s, pictures {:.1f} s, videos {:.1f} s\n",

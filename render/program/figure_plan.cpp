@@ -31,8 +31,7 @@ Counts counts_of(const FigureConfig& config, const FigureOptions& options) {
     Counts counts;
     const bool morphs = config.show == Show::Morph;
     const FigureGrid grid = figure_grid(config);
-    options.rows.check(grid.rows, "row");
-    options.cells.check(grid.columns, "cell");
+    check_selections(config, options);
     counts.rows = selected(options.rows, grid.rows);
     counts.columns = selected(options.cells, grid.columns);
     if (!morphs) return counts;
@@ -42,7 +41,8 @@ Counts counts_of(const FigureConfig& config, const FigureOptions& options) {
             needed[static_cast<std::size_t>(std::min(i, config.video.frames - i))] = true;
     }
     counts.stills = static_cast<int>(std::count(needed.begin(), needed.end(), true));
-    if (has_ffmpeg()) {
+    const std::vector<std::string> clips = clip_names(config, options);
+    if (has_ffmpeg() && !clips.empty() && clips.back() == "turntable") {
         counts.turntable =
             static_cast<int>(selected(options.frames, static_cast<std::size_t>(config.video.turntable)));
     }

@@ -3,7 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <iterator>
+
+#include "morph/mesh/errors.h"
 
 namespace automorph::program {
 
@@ -12,6 +17,27 @@ std::filesystem::path numbered(const std::filesystem::path& pattern, int index, 
     const std::string name =
         fmt::format("{}{:0{}}{}", pattern.stem().string(), index, digits, pattern.extension().string());
     return pattern.parent_path() / name;
+}
+
+std::string told_of_further_frames(const std::filesystem::path& pattern, int count) {
+    int further = 0;
+    std::error_code ignored;
+    while (std::filesystem::exists(numbered(pattern, count + further, count), ignored)) ++further;
+    if (further == 0) return "";
+    return fmt::format("{}{} there, too, of an earlier sequence: not among these {} frames",
+                       numbered(pattern, count, count).string(),
+                       further > 1 ? fmt::format(" and {} more lie", further - 1) : " lies", count);
+}
+
+std::string file_content(const std::filesystem::path& file) {
+    errno = 0;
+    std::ifstream stream(file, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    if (stream.bad() || !stream.is_open() || std::filesystem::is_directory(file)) {
+        throw IoError(fmt::format("{}: cannot be read: {}", file.string(),
+                                  errno != 0 ? std::strerror(errno) : "it is no file"));
+    }
+    return bytes;
 }
 
 std::string points_csv(const Points& points) {

@@ -2,8 +2,9 @@
 
 namespace automorph::program {
 
-/// From now on SIGINT (Ctrl-C) and SIGTERM end the process with status 128 + signal (130, 143): at once, or
-/// when the file that is being written is whole. One line on stderr says so. A second signal does not wait.
+/// From now on SIGINT (Ctrl-C), SIGTERM and SIGHUP (the terminal is closed) end the process with status
+/// 128 + signal (130, 143, 129): at once, or when the file that is being written is whole. One line on stderr
+/// says so. A second signal does not wait.
 /// Signals that are ignored, as nohup does, stay ignored.
 void end_on_signals();
 

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <functional>
 #include <new>
@@ -15,10 +17,13 @@
 #include "render/program/interrupt.h"
 #include "render/program/terminal_progress.h"
 
-int main(int count, char** values) {
-    using namespace automorph;
+namespace {
+
+using namespace automorph;
+
+/// Does what the command line asks for; returns the status to exit with.
+int run_program(int count, char** values) {
     program::TerminalProgress terminal;
-    program::end_on_signals();
     try {
         const auto read = program::read_arguments(count, values);
         if (const int* status = std::get_if<int>(&read)) return *status;
@@ -55,7 +60,21 @@ int main(int count, char** values) {
         fmt::print(stderr, "automorph: out of memory\n");
     } catch (const std::exception& error) {
         terminal.clear();
-        fmt::print(stderr, "automorph: unexpected error, please report it: {}\n", error.what());
+        if (std::ferror(stdout) == 0)  // else main() tells
+            fmt::print(stderr, "automorph: unexpected error, please report it: {}\n", error.what());
     }
     return 1;
+}
+
+}  // namespace
+
+int main(int count, char** values) {
+    program::end_on_signals();
+    const int status = run_program(count, values);
+    // Findings that nobody gets are no success.
+    errno = 0;
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+    fmt::print(stderr, "automorph: the output cannot be written: {}\n",
+               errno != 0 ? std::strerror(errno) : "the disk may be full");
+    return status == 0 ? 1 : status;
 }

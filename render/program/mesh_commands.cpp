@@ -50,8 +50,8 @@ void run(const ConfigArguments& arguments, const Surroundings& surroundings) {
         const FigureConfig config = load_config(file);
         if (surroundings.quiet) continue;
         const FigureGrid grid = figure_grid(config);
-        fmt::print("{}: valid, {} row{} of {} cells\n", file.string(), grid.rows, grid.rows == 1 ? "" : "s",
-                   grid.columns);
+        fmt::print("{}: valid, {} row{} of {} cells\n", config.file.string(), grid.rows,
+                   grid.rows == 1 ? "" : "s", grid.columns);
     }
 }
 

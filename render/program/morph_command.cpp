@@ -1,6 +1,9 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "morph/export/write_glb.h"
 #include "morph/frame_check.h"
@@ -35,25 +38,28 @@ void prepare_outputs(const MorphArguments& arguments) {
     }
 }
 
-void write_frames(const MorphArguments& arguments, const Morph& result, const Progress& progress) {
+void write_frames(const MorphArguments& arguments, const Morph& result, const Surroundings& surroundings) {
     for (int i = 0; i < arguments.frames; ++i) {
         const double alpha = static_cast<double>(i) / (arguments.frames - 1);
         write_mesh(numbered(arguments.out, i, arguments.frames), result.mesh(alpha, arguments.interpolation));
-        progress("frames", static_cast<double>(i + 1) / arguments.frames);
+        surroundings.progress("frames", static_cast<double>(i + 1) / arguments.frames);
     }
+    const std::string further = told_of_further_frames(arguments.out, arguments.frames);
+    if (!further.empty()) surroundings.warn(further);
 }
 
 /// Writes what --out asks for; returns what was written, for the reader.
-std::string write_morph(const MorphArguments& arguments, const Morph& result, const Progress& progress) {
+std::string write_morph(const MorphArguments& arguments, const Morph& result,
+                        const Surroundings& surroundings) {
     if (is_glb_file(arguments.out)) {
         write_glb(arguments.out, result.triangles(), result.endpoints(),
                   {.animation = {arguments.interpolation, arguments.seconds, arguments.ping_pong},
                    .up = arguments.up,
                    .name = arguments.source.stem().string() + " to " + arguments.target.stem().string()});
-        return arguments.out.string() + "\n";
+        return arguments.out.string();
     }
-    write_frames(arguments, result, progress);
-    return fmt::format("{} ... {}\n", numbered(arguments.out, 0, arguments.frames).string(),
+    write_frames(arguments, result, surroundings);
+    return fmt::format("{} ... {}", numbered(arguments.out, 0, arguments.frames).string(),
                        numbered(arguments.out, arguments.frames - 1, arguments.frames).string());
 }
 
@@ -78,19 +84,19 @@ void run(const MorphArguments& arguments, const Surroundings& surroundings) {
             surroundings.warn(report.notes[k]);
     }
 
-    std::string written;
-    if (!arguments.out.empty()) written += write_morph(arguments, result, surroundings.progress);
+    std::vector<std::string> written;
+    if (!arguments.out.empty()) written.push_back(write_morph(arguments, result, surroundings));
     if (!arguments.correspondence.empty()) {
         write_file(arguments.correspondence, points_csv(result.correspondence()));
-        written += arguments.correspondence.string() + "\n";
+        written.push_back(arguments.correspondence.string());
     }
     if (!arguments.report.empty()) {
         write_file(arguments.report, report_json(report));
-        written += arguments.report.string() + "\n";
+        written.push_back(arguments.report.string());
     }
     if (surroundings.quiet) return;
-    if (written.empty()) written = "nothing: give --out, --correspondence or --report\n";
-    fmt::print("written       {}", written);
+    if (written.empty()) written.emplace_back("nothing: give --out, --correspondence or --report");
+    fmt::print("written       {}\n", fmt::join(written, "\n              "));
 }
 
 }  // namespace automorph::program

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "render/figure/progress.h"
 
@@ -30,15 +31,37 @@ double percent(double fraction) {
     return std::floor(100 * std::clamp(fraction, 0.0, 1.0));
 }
 
-/// Cut to the terminal's width: a bar that wraps cannot be redrawn.
-std::string fitted(std::string line) {
+/// Of the terminal, if that is known.
+std::optional<std::size_t> columns() {
     winsize size{};
-    if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 && line.size() >= size.ws_col)
-        line.resize(size.ws_col - 1u);
-    return line;
+    if (::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < 2) return std::nullopt;
+    return size.ws_col;
+}
+
+/// What is redrawn: cut to the terminal's width, as what wraps cannot be. A narrow one has no room for the
+/// bar.
+std::string drawn(const std::string& task, double fraction, double seconds, const std::string& detail) {
+    constexpr std::size_t kNarrow = 60;
+    const std::optional<std::size_t> width = columns();
+    if (!width) return progress_bar(task, fraction, seconds, detail);
+    const auto text = *width < kNarrow ? progress_line : progress_bar;
+    return cut_to_columns(text(task, fraction, seconds, detail), *width - 1);
 }
 
 }  // namespace
+
+std::string cut_to_columns(const std::string& text, std::size_t columns) {
+    std::size_t used = 0, end = 0;
+    while (end < text.size()) {
+        const auto first = static_cast<unsigned char>(text[end]);
+        // Of UTF-8, what begins so are the scripts of East Asia and pictographs.
+        used += first >= 0xe3 ? 2 : 1;
+        if (used > columns) break;
+        do ++end;
+        while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u);
+    }
+    return text.substr(0, end);
+}
 
 std::string duration_text(double seconds) {
     const auto whole = static_cast<long long>(std::llround(std::max(0.0, seconds)));
@@ -77,7 +100,7 @@ void TerminalProgress::operator()(const std::string& task, double fraction, cons
         fmt::print(stderr, "{}: {:.1f} s\n", task, seconds);
         task_.clear();
     } else if (is_terminal && (fraction == Progress::kUnknown || now - shown_ > kRedraw)) {
-        fmt::print(stderr, "\r{}\x1b[K", fitted(progress_bar(task, fraction, seconds, detail)));
+        fmt::print(stderr, "\r{}\x1b[K", drawn(task, fraction, seconds, detail));
         std::fflush(stderr);
         on_screen_ = true;
         shown_ = now;

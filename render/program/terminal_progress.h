@@ -5,6 +5,9 @@
 
 namespace automorph::program {
 
+/// The beginning of UTF-8 text that takes no more columns of a terminal; no character is cut.
+std::string cut_to_columns(const std::string& text, std::size_t columns);
+
 /// Shows progress on stderr: a bar that is redrawn on a terminal; elsewhere a line per finished task, and one
 /// every few seconds of a long one.
 class TerminalProgress {

@@ -9,7 +9,6 @@
 #include "morph/mesh/mend.h"
 #include "morph/mesh/triangulate.h"
 #include "morph/mesh/write_file.h"
-#include "morph/mesh/write_gate.h"
 #include "render/figure/mesh_source.h"
 #include "render/figure/names.h"
 #include "render/figure/stopwatch.h"
@@ -17,6 +16,7 @@
 #include "render/image/image_file.h"
 #include "render/program/axis.h"
 #include "render/program/commands.h"
+#include "render/program/frame_files.h"
 #include "render/program/interrupt.h"
 #include "render/program/summary.h"
 #include "render/program/turntable_files.h"
@@ -123,7 +123,6 @@ void make_missing(const TurntableArguments& arguments, const turntable::StageOpt
 /// Makes a video of finished frames.
 void encode(const std::vector<fs::path>& frames, double fps, const fs::path& video,
             const Progress& progress) {
-    const UnbrokenWrite whole;
     std::optional<VideoEncoder> encoder;
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const VideoFrame frame = video_frame(render::read_image(frames[i]).image);
@@ -203,6 +202,8 @@ void run(const TurntableArguments& given, const Surroundings& surroundings) {
                    sequence.files[static_cast<std::size_t>(sequence.first)].string(),
                    sequence.files[static_cast<std::size_t>(sequence.last)].string());
     }
+    const std::string further = told_of_further_frames(targets.pattern, arguments.timeline.frames);
+    if (!further.empty()) surroundings.warn(further);
     if (targets.video.empty()) return;
     make_video(arguments, targets, sequence, surroundings);
     if (!surroundings.quiet && fs::exists(targets.video))

@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
@@ -74,17 +70,6 @@ TurntableTargets turntable_targets(const fs::path& out) {
         return {out.parent_path() / (stem + "_frames") / (stem + "_.png"), out};
     }
     throw IoError(fmt::format("{}: a turntable is written as .png, .exr, .mp4 or .webm", out.string()));
-}
-
-std::string file_content(const fs::path& file) {
-    errno = 0;
-    std::ifstream stream(file, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    if (stream.bad() || !stream.is_open() || fs::is_directory(file)) {
-        throw IoError(fmt::format("{}: cannot be read: {}", file.string(),
-                                  errno != 0 ? std::strerror(errno) : "it is no file"));
-    }
-    return bytes;
 }
 
 turntable::Sequence turntable_sequence(const TurntableArguments& arguments,

@@ -30,7 +30,4 @@ turntable::Sequence turntable_sequence(const TurntableArguments& arguments,
 /// Removes what killed runs left of the frames that this run is to make, and of the video.
 void remove_turntable_leftovers(const turntable::Sequence& sequence, const std::filesystem::path& video);
 
-/// A whole file. @throws IoError  it cannot be read
-std::string file_content(const std::filesystem::path& file);
-
 }  // namespace automorph::program

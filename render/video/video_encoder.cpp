@@ -103,6 +103,8 @@ VideoEncoder::VideoEncoder(const std::vector<fs::path>& files, int width, int he
     int ends[2];
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
         throw IoError(fmt::format("ffmpeg cannot be started: {}", std::strerror(errno)));
+    const UnbrokenWrite gate;  // what there is to discard is known before anybody does
+    at_end_.emplace([](void* encoder) { static_cast<VideoEncoder*>(encoder)->discard(); }, this);
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
@@ -137,8 +139,8 @@ void VideoEncoder::add(const VideoFrame& frame) {
 
 void VideoEncoder::finish() {
     if (wait() != 0) fail();
-    std::error_code ignored;
-    fs::remove(log_, ignored);
+    const UnbrokenWrite whole;
+    ::unlink(log_.c_str());
     for (const VideoFile& part : parts_) {
         std::error_code error;
         fs::rename(part.aside, part.file, error);
@@ -148,7 +150,7 @@ void VideoEncoder::finish() {
 }
 
 /// Ends the input and waits; the exit status, 0 once it has been waited for.
-int VideoEncoder::wait() {
+int VideoEncoder::wait() noexcept {
     if (pipe_ >= 0) ::close(pipe_);
     pipe_ = -1;
     int status = 0;
@@ -159,6 +161,7 @@ int VideoEncoder::wait() {
 }
 
 void VideoEncoder::fail() {
+    const UnbrokenWrite gate;  // an ffmpeg that was discarded at the end of the process is no failure
     wait();
     const std::string said = first_line(log_);
     const std::string file = parts_.front().file.string();
@@ -167,12 +170,12 @@ void VideoEncoder::fail() {
                               said.empty() ? "it ended without a reason" : said));
 }
 
+/// Only calls the system: at the end of the process, inside a signal handler.
 void VideoEncoder::discard() noexcept {
     if (process_ >= 0) ::kill(process_, SIGKILL);
     wait();
-    std::error_code ignored;
-    for (const VideoFile& part : parts_) fs::remove(part.aside, ignored);
-    fs::remove(log_, ignored);
+    for (const VideoFile& part : parts_) ::unlink(part.aside.c_str());
+    ::unlink(log_.c_str());
 }
 
 }  // namespace automorph

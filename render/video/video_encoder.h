@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "morph/mesh/write_gate.h"
 #include "render/film/image.h"
 
 namespace automorph {
@@ -31,8 +33,9 @@ struct VideoFile {
 
 /// Writes one video into one or several files by the program ffmpeg: .webm is VP9, all else MP4 with H.264
 /// that begins to play while it loads; odd sides get a white pixel more. The files are written aside and
-/// renamed by finish(); without it nothing is left, and what a killed process leaves is known to
-/// remove_leftovers(). With the same ffmpeg, equal frames give equal files, whatever the machine.
+/// renamed by finish(); without it nothing is left, nor when the process is asked to end (write_gate.h), and
+/// what a killed process leaves is known to remove_leftovers(). With the same ffmpeg, equal frames give equal
+/// files, whatever the machine.
 class VideoEncoder {
 public:
     /// @throws IoError ffmpeg cannot be started
@@ -49,7 +52,7 @@ public:
     void finish();
 
 private:
-    int wait();
+    int wait() noexcept;
     [[noreturn]] void fail();
     void discard() noexcept;
 
@@ -57,6 +60,7 @@ private:
     std::filesystem::path log_;
     int width_, height_;
     int process_ = -1, pipe_ = -1;
+    std::optional<UndoneAtEnd> at_end_;
 };
 
 }  // namespace automorph

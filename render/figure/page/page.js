@@ -297,7 +297,8 @@
   byId("title").textContent = data.title || data.config;
   const s = data.seconds, total = s.load + s.morph + s.check + s.panels + s.render + s.video;
   byId("about").textContent = `automorph ${data.version} · ${data.picture.width} × ${data.picture.height} pixels, ` +
-    `${data.picture.spp} paths each · ${total.toFixed(0)} s · config ${data.config_hash}`;
+    `${data.picture.spp} paths each · ${total.toFixed(0)} s · config ${data.config_hash}` +
+    (data.part ? ` · only ${data.part} of the figure` : "");
   drawFigure();
   drawMorph();
   drawVideos();

@@ -110,3 +110,17 @@ TEST_CASE("a request to end waits for the file that is being written, and is met
               writer.join();
           }) == 8);
 }
+
+TEST_CASE("at the end of the process, what takes too long is undone, unless it is over") {
+    static int undone = 0;
+    const auto undo = [](void* what) { undone += *static_cast<int*>(what); };
+    const auto end = [] { ::_exit(undone); };
+    CHECK(status_of([&] {
+              int one = 1, two = 2, four = 4, eight = 8;
+              const UndoneAtEnd first(undo, &one);
+              { const UndoneAtEnd over(undo, &two); }
+              const UndoneAtEnd third(undo, &four);
+              { const UndoneAtEnd over(undo, &eight); }
+              end_when_files_are_whole(end);
+          }) == 5);
+}

@@ -109,7 +109,7 @@ TEST_CASE("each row has a video, one row turns, and half of a loop's frames are 
     CHECK(content(other / "row2.mp4") == content(folder / "row2.mp4"));
     CHECK(content(other / "row2.webm") == content(folder / "row2.webm"));
     options.frames = Selection("7");
-    CHECK_THROWS_AS(make_clips(config, options, other.path(), part), ConfigError);
+    CHECK_THROWS_AS(render_figure(config, options), ConfigError);
 
     // A shutter that is never open blurs nothing, to the last bit; one that is, all that moves.
     for (const bool open : {false, true}) {

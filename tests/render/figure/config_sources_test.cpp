@@ -150,7 +150,8 @@ TEST_CASE("keys are set from the command line by their paths, checked by the sam
     CHECK(override_error("rows[1].label=x").find("it has 1, counted from 0") != std::string::npos);
     CHECK(override_error("source.fit=false").find("source is no mapping here") != std::string::npos);
     CHECK(override_error("title[0]=x").find("title") != std::string::npos);
-    CHECK(override_error("picture.spp=").find("found nothing") != std::string::npos);
+    CHECK(override_error("picture.spp=") == "--set picture.spp=: there is no value");
+    CHECK(override_error("extends=x.yaml").rfind("--set extends=x.yaml: ", 0) == 0);
     CHECK(override_error("picture.spp=[").rfind("--set picture.spp=[: ", 0) == 0);
     for (const char* wrong :
          {"picture.spp", "=5", "picture.=5", ".spp=5", "rows[=1", "rows[0]x=1", "[0]=1", "rows[x].label=1"}) {

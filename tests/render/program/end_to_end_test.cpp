@@ -61,6 +61,8 @@ TEST_CASE(
     INFO(morph.err);
     REQUIRE(morph.status == 0);
     CHECK(morph.out.find("registration") != std::string::npos);
+    CHECK(morph.out.find("\nwritten       frames/m_000.off ... frames/m_003.off\n"
+                         "              c.csv\n              r.json\n") != std::string::npos);
     CHECK(names_in(folder / "frames") ==
           std::set<std::string>{"m_000.off", "m_001.off", "m_002.off", "m_003.off"});
     CHECK(names_in(folder.path()) == std::set<std::string>{"a.off", "b.ply", "c.csv", "r.json", "frames"});
@@ -160,7 +162,7 @@ TEST_CASE("a figure is made from a config into out/ and its name") {
     INFO(figure.err);
     REQUIRE(figure.status == 0);
     const std::set<std::string> expected{"row1-col1.exr", "row1-col1.png", "row1-col2.exr", "row1-col2.png",
-                                         "sheet.png",     "metrics.json",  "index.html"};
+                                         "sheet.png",     "metrics.json",  "index.html",    "files.txt"};
     CHECK(names_in(folder / "out/tiny") == expected);
     CHECK(figure.out.find("out/tiny/sheet.png") != std::string::npos);
     CHECK(figure.err.find('\r') == std::string::npos);  // no terminal, no bar
@@ -177,12 +179,84 @@ TEST_CASE("a figure is made from a config into out/ and its name") {
     CHECK(sheet[size + 12] == 1);  // the unit is the metre
 }
 
+TEST_CASE("what an earlier run made of a figure goes, unless a part of it is made; files of others stay") {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "f.yaml")
+        << "source: {shape: star, triangles: 300}\n"
+           "target: {shape: ellipsoid, triangles: 300}\n"
+           "rows: [{label: a}, {label: b, alignment: none}]\nalphas: [0, 1/2, 1]\n"
+           "picture: {width: 16, height: 16, spp: 1}\n"
+           "video: {frames: 0, turntable: 0}\n";
+    const auto cells = [](const std::set<std::string>& names) {
+        std::set<std::string> found;
+        for (const std::string& name : names) {
+            if (name.rfind("row", 0) == 0 && fs::path(name).extension() == ".png") found.insert(name);
+        }
+        return found;
+    };
+    REQUIRE(run_program(folder, "figure f.yaml --out o").status == 0);
+    std::ofstream(folder / "o/row9-col9.png") << "somebody's own";
+    const std::set<std::string> all{"row1-col1.png", "row1-col2.png", "row1-col3.png", "row2-col1.png",
+                                    "row2-col2.png", "row2-col3.png", "row9-col9.png"};
+    CHECK(cells(names_in(folder / "o")) == all);
+
+    const Run part = run_program(folder, "figure f.yaml --out o --rows 2 --cells 1,3");
+    REQUIRE(part.status == 0);
+    CHECK(part.out.find("kept row1-col1.exr, row1-col1.png, row1-col2.exr and 5 more of an earlier run; "
+                        "page and sheet show this run only\n") != std::string::npos);
+    CHECK(cells(names_in(folder / "o")) == all);
+    CHECK(content(folder / "o/metrics.json").find("\"part\": \"rows 2, cells 1,3\"") != std::string::npos);
+
+    const Run fewer = run_program(folder, "figure f.yaml --out o --set alphas=[0]");
+    REQUIRE(fewer.status == 0);
+    CHECK(fewer.out.find(
+              "removed row1-col2.exr, row1-col2.png, row1-col3.exr and 5 more of an earlier run\n") !=
+          std::string::npos);
+    CHECK(cells(names_in(folder / "o")) ==
+          std::set<std::string>{"row1-col1.png", "row2-col1.png", "row9-col9.png"});
+
+    // A run that fails removes nothing.
+    CHECK(run_program(folder, "figure f.yaml --out o --set source.file=gone.off").status == 1);
+    CHECK(names_in(folder / "o").size() == 4 + 4 + 1);
+}
+
 TEST_CASE("config FILE counts the cells of every kind of figure") {
     const TemporaryFolder folder;
     std::ofstream(folder / "turns.yaml") << "show: shape\nsource: {shape: star}\nturns: [0, 30, 60]\n";
     std::ofstream(folder / "map.yaml") << "show: map\nsource: {shape: ellipsoid}\n";
     CHECK(run_program(folder, "config turns.yaml").out == "turns.yaml: valid, 1 row of 3 cells\n");
     CHECK(run_program(folder, "config map.yaml").out == "map.yaml: valid, 1 row of 2 cells\n");
+}
+
+TEST_CASE("a config may come from standard input, with paths relative to the working folder") {
+    const TemporaryFolder folder;
+    make_shapes(folder);
+    std::ofstream(folder / "in.yaml") << "source: a.off\ntarget: b.ply\nrows: [{label: x}]\nalphas: [0]\n";
+    const Run plan = run_program(folder, "figure - --dry-run", "in.yaml");
+    CHECK(plan.status == 0);
+    CHECK(plan.out.find("stdin: would make in out/stdin\n") == 0);
+    CHECK(run_program(folder, "config -", "in.yaml").out == "stdin: valid, 1 row of 1 cells\n");
+    CHECK(run_program(folder, "config -", "a.off").err.find("automorph: stdin:1:1: ") == 0);
+    CHECK(run_program(folder, "config -").err.find("stdin:1:1: found nothing") != std::string::npos);
+}
+
+TEST_CASE("findings that cannot be written are an error") {
+    const TemporaryFolder folder;
+    make_shapes(folder);
+    std::ofstream(folder / "a.txt") << "x";
+    for (const auto& [arguments, status] : {std::pair<std::string, int>{"info a.off", 1},
+                                            {"config --explain", 1},
+                                            {"--version", 1},
+                                            {"help meshes", 1},
+                                            {"shape star s.off", 1},
+                                            {"diff a.txt b.ply", 2}}) {
+        INFO(arguments);
+        const Run run = run_program(folder, arguments + " >/dev/full 2>err.txt #");
+        CHECK(run.status == status);
+        const std::string told = content(folder / "err.txt");
+        CHECK(told.find("automorph: the output cannot be written: ") != std::string::npos);
+        CHECK(told.find("report it") == std::string::npos);
+    }
 }
 
 TEST_CASE("every error is one line on stderr and status 1, and leaves nothing behind") {

@@ -1,5 +1,10 @@
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -7,14 +12,17 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
+#include <thread>
 
 #include "morph/mesh/errors.h"
 #include "morph/mesh/io.h"
+#include "morph/mesh/write_gate.h"
 #include "render/program/arguments.h"
 #include "render/program/axis.h"
 #include "render/program/commands.h"
 #include "render/program/frame_files.h"
 #include "render/program/help_topics.h"
+#include "render/program/interrupt.h"
 #include "render/program/man_page.h"
 #include "render/program/mesh_info.h"
 #include "render/program/summary.h"
@@ -72,6 +80,20 @@ TEST_CASE("frames are numbered between stem and extension, with at least three d
     CHECK(numbered("a.b/x.y.obj", 12, 1000) == fs::path("a.b/x.y012.obj"));
     CHECK(numbered("m.off", 999, 1001) == fs::path("m0999.off"));
     CHECK(numbered("/t/.off", 1, 2).parent_path() == fs::path("/t"));
+}
+
+TEST_CASE("frames that a longer sequence left are told of") {
+    const TemporaryFolder folder;
+    const fs::path pattern = folder / "m_.ply";
+    CHECK(told_of_further_frames(pattern, 2).empty());
+    for (int i : {0, 1, 2, 4}) std::ofstream(numbered(pattern, i, 5)) << "x";
+    CHECK(told_of_further_frames(pattern, 3).empty());
+    CHECK(told_of_further_frames(pattern, 2) ==
+          (folder / "m_002.ply").string() +
+              " lies there, too, of an earlier sequence: not among these 2 frames");
+    CHECK(told_of_further_frames(pattern, 1) ==
+          (folder / "m_001.ply").string() +
+              " and 1 more lie there, too, of an earlier sequence: not among these 1 frames");
 }
 
 TEST_CASE("a correspondence file reads back to the same doubles, row by row") {
@@ -296,6 +318,40 @@ TEST_CASE("the progress bar grows with the fraction and stays within its bracket
     CHECK(duration_text(60) == "1 min 0 s");
     CHECK(duration_text(3599) == "59 min 59 s");
     CHECK(duration_text(7261) == "2 h 1 min");
+}
+
+TEST_CASE("a bar is cut to the columns of a terminal, and no character with it") {
+    CHECK(cut_to_columns("abc", 3) == "abc");
+    CHECK(cut_to_columns("abc", 2) == "ab");
+    CHECK(cut_to_columns("abc", 0).empty());
+    CHECK(cut_to_columns("\u00e4\u03b1b", 2) == "\u00e4\u03b1");
+    CHECK(cut_to_columns("a\u9762\u9762", 4) == "a\u9762");  // two columns each
+    CHECK(cut_to_columns("\xff\x80\x80", 9) == "\xff\x80\x80");
+}
+
+TEST_CASE("a second signal does not wait for the file that is being written") {
+    int ends[2];
+    REQUIRE(::pipe(ends) == 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::signal(SIGINT, SIG_DFL);
+        end_on_signals();
+        const UnbrokenWrite whole;
+        [[maybe_unused]] const auto told = ::write(ends[1], "x", 1);
+        while (true) ::pause();
+    }
+    char ready = 0;
+    REQUIRE(::read(ends[0], &ready, 1) == 1);
+    ::kill(child, SIGINT);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    int status = 0;
+    CHECK(::waitpid(child, &status, WNOHANG) == 0);
+    ::kill(child, SIGINT);
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    CHECK(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 130);
+    ::close(ends[0]);
+    ::close(ends[1]);
 }
 
 TEST_CASE("progress is told to listeners with and without a taste for details") {

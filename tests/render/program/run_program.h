@@ -15,12 +15,13 @@ struct Run {
     std::string out, err;
 };
 
-// Runs `automorph ARGUMENTS` with `folder` as working directory.
-inline Run run_program(const TemporaryFolder& folder, const std::string& arguments) {
+// Runs `automorph ARGUMENTS` with `folder` as working directory, which `input` may lie in.
+inline Run run_program(const TemporaryFolder& folder, const std::string& arguments,
+                       const std::string& input = "/dev/null") {
     const TemporaryFolder logs;
     const std::string command = "cd '" + folder.path().string() + "' && '" AUTOMORPH_PROGRAM "' " +
                                 arguments + " >'" + (logs / "out").string() + "' 2>'" +
-                                (logs / "err").string() + "' </dev/null";
+                                (logs / "err").string() + "' <" + input;
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(logs / "out"), content(logs / "err")};
 }

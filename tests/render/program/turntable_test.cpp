@@ -1,7 +1,5 @@
 // Turntables by the built program, stopped in every way.
 
-#include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,6 +17,7 @@
 #include "morph/shapes/shapes.h"
 #include "tests/catch.h"
 #include "tests/files.h"
+#include "tests/render/program/process.h"
 
 namespace fs = std::filesystem;
 
@@ -41,79 +40,8 @@ int count_frames(const fs::path& folder) {
     return count;
 }
 
-/// The program in a process of its own.
-class Run {
-public:
-    /// @param largest_file  bytes; 0: no limit. A limit stands for a full disk
-    Run(const fs::path& folder, const std::string& arguments, rlim_t largest_file = 0) {
-        std::vector<std::string> words{AUTOMORPH_PROGRAM};
-        std::istringstream stream(arguments);
-        for (std::string word; stream >> word;) words.push_back(word);
-        std::vector<char*> pointers;
-        for (std::string& word : words) pointers.push_back(word.data());
-        pointers.push_back(nullptr);
-        const std::string out = logs_ / "out", err = logs_ / "err";
-        process_ = ::fork();
-        if (process_ != 0) return;
-        for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, SIG_DFL);
-        if (::chdir(folder.c_str()) != 0) ::_exit(98);
-        ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
-        ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
-        ::dup2(::open(err.c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
-        if (largest_file > 0) {
-            std::signal(SIGXFSZ, SIG_IGN);
-            const rlimit limit{largest_file, largest_file};
-            ::setrlimit(RLIMIT_FSIZE, &limit);
-        }
-        ::execv(pointers.front(), pointers.data());
-        ::_exit(97);
-    }
-    ~Run() {
-        if (is_running()) ::kill(process_, SIGKILL);
-        wait();
-    }
-    Run(const Run&) = delete;
-    Run& operator=(const Run&) = delete;
-
-    void send(int signal) { ::kill(process_, signal); }
-    /// False if it ends before.
-    bool wait_until_it_catches(int signal) {
-        while (is_running()) {
-            // Before exec, the handlers are still those of the test.
-            const fs::path own = fs::path("/proc") / std::to_string(process_);
-            std::error_code error;
-            if (!fs::equivalent(own / "exe", AUTOMORPH_PROGRAM, error)) continue;
-            std::ifstream status(own / "status");
-            for (std::string word; status >> word;) {
-                if (word != "SigCgt:" || !(status >> word)) continue;
-                if ((std::stoull(word, nullptr, 16) >> (signal - 1) & 1) != 0) return true;
-            }
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-        return false;
-    }
-    bool is_running() {
-        if (!is_over_) is_over_ = ::waitpid(process_, &status_, WNOHANG) == process_;
-        return !is_over_;
-    }
-    /// Exit status; 1000 + signal if a signal ended it.
-    int wait() {
-        if (!is_over_) ::waitpid(process_, &status_, 0);
-        is_over_ = true;
-        return WIFEXITED(status_) ? WEXITSTATUS(status_) : 1000 + WTERMSIG(status_);
-    }
-    std::string out() const { return content(logs_ / "out"); }
-    std::string err() const { return content(logs_ / "err"); }
-
-private:
-    TemporaryFolder logs_;
-    pid_t process_ = 0;
-    int status_ = 0;
-    bool is_over_ = false;
-};
-
 int status_of(const TemporaryFolder& folder, const std::string& arguments) {
-    Run run(folder.path(), arguments);
+    Process run(folder.path(), arguments);
     const int status = run.wait();
     INFO(arguments << ": " << run.err());
     CHECK(status == 0);
@@ -121,7 +49,7 @@ int status_of(const TemporaryFolder& folder, const std::string& arguments) {
 }
 
 std::string error_of(const TemporaryFolder& folder, const std::string& arguments, rlim_t largest_file = 0) {
-    Run run(folder.path(), arguments, largest_file);
+    Process run(folder.path(), arguments, largest_file);
     CHECK(run.wait() == 1);
     CHECK(lines_in(run.err()) == 1);
     CHECK(run.err().rfind("automorph: ", 0) == 0);
@@ -138,7 +66,7 @@ const std::string kSmall = " -q --frames 12 --width 64 --height 48 --spp 16";
 const std::string kMorph = "turntable a.off b.ply --alignment none" + kSmall;
 
 /// Waits until so many frames are there.
-bool wait_for_frames(Run& run, const fs::path& folder, int count) {
+bool wait_for_frames(Process& run, const fs::path& folder, int count) {
     while (run.is_running()) {
         if (count_frames(folder) >= count) return true;
         std::this_thread::sleep_for(std::chrono::microseconds(200));
@@ -158,7 +86,7 @@ TEST_CASE("kill -9 at any moment costs the frame in flight, and the rerun makes 
         REQUIRE(calm.size() == 12);
         int kills = 0;
         for (int round = 0; round < 4; ++round) {
-            Run run(folder.path(), command + "killed/f_" + extension);
+            Process run(folder.path(), command + "killed/f_" + extension);
             if (!wait_for_frames(run, folder / "killed", 3 * round)) break;
             std::this_thread::sleep_for(std::chrono::milliseconds(3 * round));
             run.send(SIGKILL);
@@ -243,7 +171,7 @@ TEST_CASE("Ctrl-C and a polite kill end at once with a line that says how to go 
     const std::string command = "turntable a.off --out t/f_.png" + kSmall;
     REQUIRE(status_of(folder, "turntable a.off --out calm/f_.png" + kSmall) == 0);
     for (const auto& [signal, status] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
-        Run run(folder.path(), command);
+        Process run(folder.path(), command);
         REQUIRE(wait_for_frames(run, folder / "t", 2));
         run.send(signal);
         CHECK(run.wait() == status);
@@ -256,13 +184,6 @@ TEST_CASE("Ctrl-C and a polite kill end at once with a line that says how to go 
         }
         fs::remove_all(folder / "t");
     }
-    // A command without frames, in the midst of its work.
-    Run shape(folder.path(), "shape star big.ply --triangles 3000000");
-    REQUIRE(shape.wait_until_it_catches(SIGINT));
-    shape.send(SIGINT);
-    CHECK(shape.wait() == 130);
-    CHECK(shape.err() == "automorph: stopped\n");
-    CHECK(!fs::exists(folder / "big.ply"));
 }
 
 TEST_CASE("a full disk, a folder that cannot be written and wrong options are one line, with nothing left") {
@@ -341,7 +262,7 @@ TEST_CASE("what is told follows the log level") {
     const std::string command =
         "turntable a.off --frames 2 --width 16 --height 16 --spp 1 --out t/f_.png --redo";
     const auto told = [&](const std::string& level) {
-        Run run(folder.path(), command + " --log-level " + level);
+        Process run(folder.path(), command + " --log-level " + level);
         CHECK(run.wait() == 0);
         return std::pair(run.out(), run.err());
     };
@@ -352,6 +273,6 @@ TEST_CASE("what is told follows the log level") {
     CHECK(info.second.find("turntable: ") == 0);
     CHECK(lines_in(info.second) == 1);
     CHECK(debug.second.find("automorph: frame 1: alpha 0.0000, 180.00 degrees") != std::string::npos);
-    Run wrong(folder.path(), command + " --log-level loud");
+    Process wrong(folder.path(), command + " --log-level loud");
     CHECK(wrong.wait() == 1);
 }
