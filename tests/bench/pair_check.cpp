@@ -8,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <set>
 
 #include "morph/alignment/closest_point.h"
@@ -83,9 +84,11 @@ double off(const Mesh& frame, const Mesh& input, bool opened) {
 
 PairCheck check_pair(const InputMesh& source, const InputMesh& target, const MorphOptions& options) {
     const auto start = std::chrono::steady_clock::now();
+    const std::clock_t cpu_start = std::clock();
     const Morph result = morph(source, target, options);
     PairCheck check;
     check.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    check.cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
     const Report& report = result.report();
     check.route = route(report);
     check.triangles = static_cast<int>(result.triangles().rows());

@@ -19,8 +19,8 @@ struct PairCheck {
     double off_first = 0, off_last = 0;  ///< Hausdorff distance of the frames at 0 and 1 from the inputs, %
                                          ///< of the input's diagonal
     bool dense = false, confident = false;
-    double p01 = 0;  ///< the smaller of both maps
-    double seconds = 0;
+    double p01 = 0;                       ///< the smaller of both maps
+    double seconds = 0, cpu_seconds = 0;  ///< of the morph, without the check
     std::vector<StageReport> stages;
 };
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <numeric>
+#include <optional>
 #include <random>
 #include <stdexcept>
 
@@ -17,6 +17,8 @@
 #include "morph/morph.h"
 #include "tests/bench/child_process.h"
 #include "tests/bench/pair_check.h"
+#include "tests/bench/pair_log.h"
+#include "tests/bench/pair_table.h"
 
 namespace automorph::bench {
 
@@ -25,15 +27,13 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr int kLargeSide = 20000;      // triangles; above this a pair may take longer than
-constexpr double kLongestWait = 30.0;  // seconds
-
 struct Arguments {
     std::vector<std::string> folders{AUTOMORPH_DEMO_MESHES};
     int sample = 150;
     bool all = false;
     std::uint64_t seed = 1;
-    std::string only;
+    std::string only, log;
+    std::size_t shard = 1, shards = 1;
     ChildLimits limits;
     MorphOptions options;
 };
@@ -54,6 +54,13 @@ Arguments parsed(const std::vector<std::string>& words) {
             arguments.seed = std::stoull(value());
         } else if (word == "--only") {
             arguments.only = value();
+        } else if (word == "--log") {
+            arguments.log = value();
+        } else if (word == "--shard") {
+            const std::string& shard = value();
+            if (std::sscanf(shard.c_str(), "%zu/%zu", &arguments.shard, &arguments.shards) != 2 ||
+                arguments.shard < 1 || arguments.shard > arguments.shards)
+                throw std::invalid_argument("--shard wants I/N, as 1/4, and not " + shard);
         } else if (word == "--seconds") {
             arguments.limits.seconds = std::stod(value());
         } else if (word == "--memory") {
@@ -117,7 +124,12 @@ struct Pair {
     Candidate source, target;
     std::uint64_t seed = 1;
     std::string name() const { return source.name() + " + " + target.name(); }
-    bool large() const { return std::max(source.triangles, target.triangles) > kLargeSide; }
+    /// What tells it from others in a log.
+    std::string key(const MorphOptions& options) const {
+        return fmt::format("{} + {}, seed {}{}{}", source.file, target.file, seed,
+                           options.lift ? "" : ", flat",
+                           options.alignment == Alignment::Registration ? ", registration" : "");
+    }
 };
 
 /// Does the pair's name, in either order, contain the text?
@@ -126,7 +138,8 @@ bool is_named(const Pair& pair, const std::string& text) {
     return pair.name().find(text) != std::string::npos || back.find(text) != std::string::npos;
 }
 
-/// All pairs, or a sample with equal shares of closed, open and mixed ones.
+/// All pairs, or a sample with equal shares of closed, open and mixed ones; of these, every N-th where
+/// --shard says.
 std::vector<Pair> pairs(const std::vector<Candidate>& meshes, const Arguments& arguments) {
     std::array<std::vector<Pair>, 3> kinds;
     std::mt19937_64 random(arguments.seed);
@@ -147,83 +160,17 @@ std::vector<Pair> pairs(const std::vector<Candidate>& meshes, const Arguments& a
         }
         chosen.insert(chosen.end(), kind.begin(), kind.end());
     }
-    return chosen;
+    std::vector<Pair> own;
+    for (std::size_t k = arguments.shard - 1; k < chosen.size(); k += arguments.shards)
+        own.push_back(chosen[k]);
+    return own;
 }
 
-std::string check_as_json(const Pair& pair, const MorphOptions& options) {
+std::string checked(const Pair& pair, const MorphOptions& options) {
     const InputMesh source = load_mesh(pair.source.file);
     const InputMesh target =
         admit_mesh(posed_at_random(load_mesh(pair.target.file).mesh, pair.seed), pair.target.file);
-    const PairCheck check = check_pair(source, target, options);
-    Json json = {{"route", check.route},         {"triangles", check.triangles}, {"flipped", check.flipped},
-                 {"turned", check.turned},       {"missing", check.missing},     {"first", check.off_first},
-                 {"last", check.off_last},       {"dense", check.dense},         {"p01", check.p01},
-                 {"confident", check.confident}, {"seconds", check.seconds},     {"slowest", ""}};
-    double slowest = 0;
-    for (const StageReport& stage : check.stages) {
-        if (stage.seconds <= slowest) continue;
-        slowest = stage.seconds;
-        json["slowest"] = fmt::format("{} {:.1f}", stage.name, stage.seconds);
-    }
-    return json.dump();
-}
-
-struct Summary {
-    int pairs = 0, solved = 0, slow = 0, unsure = 0, without_dense = 0;
-    int flipped = 0, turned_pairs = 0, missing_pairs = 0;
-    double off = 0, peak_memory_mb = 0;
-    std::map<std::string, int> routes;
-    std::vector<double> seconds;
-    std::vector<std::string> failures;
-};
-
-void print_row(const Pair& pair, const ChildResult& child, Summary& summary) {
-    ++summary.pairs;
-    summary.peak_memory_mb = std::max(summary.peak_memory_mb, child.peak_memory_mb);
-    fmt::print("| {} | {} + {} |", pair.name(), pair.source.triangles, pair.target.triangles);
-    if (!child.failure.empty()) {
-        fmt::print(" FAILED: {} | {:.1f} s |\n", child.failure, child.seconds);
-        summary.failures.push_back(pair.name() + ": " + child.failure);
-        return;
-    }
-    const Json json = Json::parse(child.output);
-    ++summary.solved;
-    const std::string route = json["route"];
-    const double seconds = json["seconds"], first = json["first"], last = json["last"];
-    ++summary.routes[route];
-    summary.seconds.push_back(seconds);
-    summary.slow += seconds > kLongestWait && !pair.large();
-    summary.unsure += !json["confident"].get<bool>();
-    summary.without_dense += !json["dense"].get<bool>();
-    summary.flipped += json["flipped"].get<int>();
-    summary.turned_pairs += json["turned"].get<int>() > 0;
-    summary.missing_pairs += json["missing"].get<int>() > 0;
-    summary.off = std::max({summary.off, first, last});
-    fmt::print(" {}{} | {} | {} | {} | {} | {:.2g} | {:.2g} {:.2g} | {:.1f} | {:.1f} | {:.0f} | {} |{}\n",
-               route, json["dense"].get<bool>() ? "" : ", not dense", json["triangles"].get<int>(),
-               json["flipped"].get<int>(), json["turned"].get<int>(), json["missing"].get<int>(),
-               json["p01"].get<double>(), first, last, seconds, child.cpu_seconds, child.peak_memory_mb,
-               json["slowest"].get<std::string>(), json["confident"].get<bool>() ? "" : " unsure");
-}
-
-void print_summary(Summary& summary) {
-    fmt::print("\n{} of {} pairs solved:", summary.solved, summary.pairs);
-    for (const auto& [route, count] : summary.routes) fmt::print(" {} {},", route, count);
-    fmt::print(" {} without dense alignment; {} registrations unsure\n", summary.without_dense,
-               summary.unsure);
-    fmt::print(
-        "{} flips in maps; {} pairs with turned merged triangles; {} pairs that lack input vertices; "
-        "farthest from an input {:.2g} %\n",
-        summary.flipped, summary.turned_pairs, summary.missing_pairs, summary.off);
-    if (!summary.seconds.empty()) {
-        std::sort(summary.seconds.begin(), summary.seconds.end());
-        fmt::print(
-            "seconds: median {:.1f}, slowest {:.1f}; {} above {} s of those up to {} triangles a side; "
-            "peak memory {:.0f} MB\n",
-            summary.seconds[summary.seconds.size() / 2], summary.seconds.back(), summary.slow, kLongestWait,
-            kLargeSide, summary.peak_memory_mb);
-    }
-    for (const std::string& failure : summary.failures) fmt::print("failed: {}\n", failure);
+    return as_json(check_pair(source, target, options));
 }
 
 }  // namespace
@@ -239,18 +186,20 @@ int pairs_bench(const std::vector<std::string>& words) {
     const std::vector<Candidate> meshes = candidates(arguments);
     const auto closed = std::count_if(meshes.begin(), meshes.end(), [](const auto& m) { return m.closed; });
     fmt::print("{} closed and {} open meshes\n\n", closed, static_cast<long>(meshes.size()) - closed);
-    fmt::print(
-        "| pair | triangles | route | merged | flips | turned | missing | p01 | off, % | s | CPU s | MB | "
-        "slowest stage, s |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-    Summary summary;
+    PairTable table;
+    table.print_head();
+    PairLog log(arguments.log);
     for (const Pair& pair : pairs(meshes, arguments)) {
-        const ChildResult child =
-            run_in_child([&] { return check_as_json(pair, arguments.options); }, arguments.limits);
-        print_row(pair, child, summary);
-        std::fflush(stdout);
+        const std::string key = pair.key(arguments.options);
+        std::optional<ChildResult> child = log.find(key);
+        if (!child) {
+            child = run_in_child([&] { return checked(pair, arguments.options); }, arguments.limits);
+            log.add(key, *child);
+        }
+        table.print_row(pair.name(), pair.source.triangles, pair.target.triangles, *child);
     }
-    print_summary(summary);
-    return summary.solved == summary.pairs && summary.flipped == 0 && summary.missing_pairs == 0 ? 0 : 1;
+    table.print_summary();
+    return table.flawless() ? 0 : 1;
 }
 
 }  // namespace automorph::bench
