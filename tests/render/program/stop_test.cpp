@@ -53,7 +53,7 @@ void stop(Process& run, const TemporaryFolder& folder, const std::string& what) 
     const auto begin = Clock::now();
     run.send(SIGINT);
     CHECK(run.wait() == 130);
-    CHECK(Clock::now() - begin < 2s);
+    CHECK(Clock::now() - begin < 10s);  // at once, but on a busy machine
     const std::string told = run.err();
     CHECK((told.rfind("automorph: stopped\n") == told.size() - 19 || what == "turntable"));
     CHECK(parts_in(folder.path()).empty());
@@ -143,7 +143,7 @@ std::size_t characters(const std::string& text) {
 TEST_CASE("shape, info and morph stop at once wherever they are") {
     const TemporaryFolder folder;
     make_shapes(folder, 8000);
-    automorph::write_mesh(folder / "big.stl", automorph::star({}, {.triangles = 100000}));
+    automorph::write_mesh(folder / "big.stl", automorph::star({}, {.triangles = 400000}));  // takes a while
     const auto before = names_in(folder.path());
     for (const std::string command :
          {"shape star new.ply --triangles 1000000", "shape head new.ply --triangles 1000000", "info big.stl",
@@ -233,7 +233,7 @@ TEST_CASE("diff stops on large folders, also while it accepts") {
     const std::string golden = content(folder / "golden/0.exr"), found = content(folder / "new/0.exr");
     Process run(folder.path(), "diff golden new --side-by-side why --report r.json");
     REQUIRE(run.wait_until_it_catches(SIGINT));
-    std::this_thread::sleep_for(500ms);
+    std::this_thread::sleep_for(200ms);
     stop(run, folder, "comparing");
     CHECK(!fs::exists(folder / "r.json"));
 
