@@ -13,7 +13,7 @@ namespace automorph::render {
 struct Place {
     int x = 0, y = 0;           ///< of the upper left pixel
     int width = 0, height = 0;  ///< pixels
-    int channel = 0;            ///< 0, 1, 2: red, green, blue
+    int channel = 0;            ///< 0, 1, 2: red, green, blue, or as TestResult::channels says
 };
 
 /// One test of a comparison: it fails where `value` is above `limit`.
@@ -22,9 +22,10 @@ struct TestResult {
     double value = 0.0;  ///< largest of the picture
     double limit = 0.0;
     Place where;                        ///< of the largest value
-    double golden = 0.0, found = 0.0;   ///< mean radiance of both pictures there
+    double golden = 0.0, found = 0.0;   ///< mean of both pictures there, radiance if nothing else is said
     std::optional<double> chance = {};  ///< upper bound of the probability that the noise of an unchanged
                                         ///< scene gives the picture so large a value; of noise tests
+    std::vector<std::string> channels = {};  ///< what the channels of `where` are, if not the radiance's
 
     bool passed() const { return value <= limit; }  ///< false for NaN, too
 };

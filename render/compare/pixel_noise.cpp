@@ -14,23 +14,6 @@ namespace {
 constexpr double kRounding = 1e-5;     // relative: what compilers and processors change in a sum of paths
 constexpr double kEqualCounts = 0.01;  // relative difference of all samples up to which they count as equal
 
-/// A channel of a pixel in one of the pictures.
-struct Sampled {
-    double mean, variance, count;
-};
-
-// Welch's variance fails where the smaller picture missed rare bright samples, the pooled one where it met
-// them by luck; so the larger one is taken. With equal counts they differ by d^2 / (2 n - 1) only.
-double sigma_of(const Sampled& a, const Sampled& b, double difference) {
-    const double welch = a.variance + b.variance;
-    const double all = a.count + b.count;
-    // Sums of squares about the pictures' own means, and that between them: of all samples about one mean.
-    const double within = a.count * (a.count - 1.0) * a.variance + b.count * (b.count - 1.0) * b.variance;
-    const double between = a.count * b.count / all * difference * difference;
-    const double pooled = (within + between) / (all - 1.0) * (1.0 / a.count + 1.0 / b.count);
-    return std::sqrt(std::max(welch, pooled));
-}
-
 void check(const NoisyImage& picture, const char* name) {
     require_same_shape(picture.image, picture.variance);
     for (int y = 0; y < picture.image.height; ++y) {
@@ -63,6 +46,18 @@ double total(const Image& samples) {
 
 }  // namespace
 
+// Welch's variance fails where the smaller picture missed rare bright samples, the pooled one where it met
+// them by luck; so the larger one is taken. With equal counts they differ by d^2 / (2 n - 1) only.
+double noise_sigma(const Sampled& a, const Sampled& b, double difference) {
+    const double welch = a.variance + b.variance;
+    const double all = a.count + b.count;
+    // Sums of squares about the pictures' own means, and that between them: of all samples about one mean.
+    const double within = a.count * (a.count - 1.0) * a.variance + b.count * (b.count - 1.0) * b.variance;
+    const double between = a.count * b.count / all * difference * difference;
+    const double pooled = (within + between) / (all - 1.0) * (1.0 / a.count + 1.0 / b.count);
+    return std::sqrt(std::max(welch, pooled));
+}
+
 NoiseMap::NoiseMap(const NoisyImage& golden, const NoisyImage& found)
     : width_(golden.image.width), height_(golden.image.height) {
     require_same_shape(golden.image, found.image);
@@ -84,7 +79,7 @@ NoiseMap::NoiseMap(const NoisyImage& golden, const NoisyImage& found)
                     const double whole = b.mean - a.mean;
                     pixel.difference = std::copysign(std::max(0.0, std::abs(whole) - rounding), whole);
                     pixel.golden = a.mean;
-                    pixel.sigma = sigma_of(a, b, pixel.difference);
+                    pixel.sigma = noise_sigma(a, b, pixel.difference);
                 } else if (std::isfinite(a.mean) != std::isfinite(b.mean)) {
                     if (not_finite_ == 0) not_finite_place_ = {x, y, 1, 1, c};
                     ++not_finite_;

@@ -13,6 +13,15 @@ struct PixelNoise {
     double sigma = 0.0;       ///< radiance; above 0 where `difference` is not 0
 };
 
+/// A mean of samples of a pixel in one of the pictures: `variance` is that of the mean.
+struct Sampled {
+    double mean, variance, count;
+};
+
+/// Standard deviation of the difference of two such means, by noise alone: the larger of Welch's estimate and
+/// the pooled one.
+double noise_sigma(const Sampled& a, const Sampled& b, double difference);
+
 /// The noise of all pixels and channels of two pictures.
 class NoiseMap {
 public:

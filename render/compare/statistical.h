@@ -1,14 +1,22 @@
 #pragma once
 
+#include <optional>
+
 #include "render/compare/comparison.h"
 
 namespace automorph::render {
 
-/// A picture with what is known of its noise: the layers `variance` and `samples` (see render/film/layers.h).
+/// What the pixels look at: the layers of these names (see render/film/layers.h).
+struct Surfaces {
+    Image albedo, shading_normal, depth;
+};
+
+/// A picture with what is known of its noise: the layers `variance` and `samples`.
 struct NoisyImage {
-    Image image;     ///< RGB, mean radiance of each pixel's samples
-    Image variance;  ///< RGB, of that mean, if the samples were independent
-    Image samples;   ///< 1 channel, at least 2
+    Image image;                            ///< RGB, mean radiance of each pixel's samples
+    Image variance;                         ///< RGB, of that mean, if the samples were independent
+    Image samples;                          ///< 1 channel, at least 2
+    std::optional<Surfaces> surfaces = {};  ///< compared, too, if both pictures have them
 };
 
 struct StatisticalOptions {
@@ -40,6 +48,11 @@ struct StatisticalComparison : Comparison {
 ///   same bound. It is proven where samples of the pictures may be exchanged and sigma^2 is twice as large;
 ///   as it is, means of independent samples stay below it in all heavy-tailed distributions that the tests
 ///   try, and stratified samples stay far below. Sees what is local: a normal, a triangle, an edge.
+///
+/// Where both pictures have `surfaces`, these are compared as well, since they have hardly any noise: the
+/// mean normal in blocks of 8 x 8 and in windows, the mean albedo in blocks of 8 x 8 (where sample counts are
+/// equal: by signs), with bounds of their variance in place of sigma^2 (surfaces.h), and the depth, which has
+/// none.
 ///
 /// sigma^2 is the larger of two estimates from both pictures' variances and sample counts: Welch's, v + v',
 /// and the pooled one of all samples, difference included. A bright sample that only one of the pictures met

@@ -49,6 +49,21 @@ struct PathTracer::Vertex {
     }
 };
 
+// A path between two surfaces.
+struct PathTracer::Flight {
+    Ray ray;
+    Color throughput = Color::Ones();
+    Vec3 normal = Vec3::Zero();  // where the ray starts
+    float bsdf_pdf = 0.0f;       // of the ray's direction
+    float density = 1.0f;        // of the medium, squared index: what refraction took from the throughput
+    bool through_glass = true;   // what is met now is seen directly, or through nothing but glass
+};
+
+// One of the paths that share a first surface.
+struct PathTracer::Branch {
+    std::uint32_t number, of;
+};
+
 PathTracer::PathTracer(const Scene& scene, const PictureCamera& camera, const RenderOptions& options)
     : scene_(scene),
       options_(options),
@@ -132,57 +147,94 @@ Color PathTracer::catcher_albedo(std::uint32_t mesh, const SurfacePoint& surface
     return (sum > 0.0f).select(kPi * background / sum, 0.0f);
 }
 
-Color PathTracer::radiance(Ray ray, std::optional<Hit> hit, const SampleNumbers& random, std::uint64_t& rays,
-                           FirstSurface* first) const {
+// Goes on in the sampled direction; false where the path ends.
+bool PathTracer::scatter(const Vertex& vertex, int depth, Sample2 uv, float choice, Flight& flight) const {
+    const std::optional<BsdfSample> scattered = vertex.bsdf.sample(uv.u, uv.v, choice);
+    if (!scattered) return false;
+    flight.throughput *= scattered->weight;
+    flight.density *= scattered->density;
+    if (depth >= options_.roulette_after) {
+        const float survival = std::min(1.0f, flight.density * flight.throughput.maxCoeff());
+        if (!(choice < survival)) return false;
+        flight.throughput /= survival;
+    }
+    flight.bsdf_pdf = scattered->pdf;
+    flight.normal = vertex.frame.normal;
+    flight.ray.direction = vertex.frame.to_world(scattered->wi);
+    if (scattered->wi.z() > 0.0f) {
+        flight.through_glass = false;
+        flight.ray.origin = vertex.surface.ray_origin;
+        return true;
+    }
+    flight.ray.origin = vertex.surface.ray_origin_behind;
+    // Refracted by the interpolated normal, but reflected by the true one: there is no such light.
+    return !(flight.ray.direction.dot(vertex.surface.geometric_normal) > 0.0f);
+}
+
+// All that a path brings from where it left the first surface.
+Color PathTracer::follow(Flight flight, const SampleNumbers& random, Branch branch,
+                         std::uint64_t& rays) const {
     Color sum = Color::Zero();
-    Color throughput = Color::Ones();
-    Vec3 normal = Vec3::Zero();  // where the ray starts
-    float bsdf_pdf = 0.0f;       // of the ray's direction
-    float density = 1.0f;        // of the medium, squared index: what refraction took from the throughput
-    bool through_glass = true;   // what is met now is seen directly, or through nothing but glass
-    for (int depth = 0;; ++depth) {
+    for (int depth = 1;; ++depth) {
+        const Ray& ray = flight.ray;
         if (!traceable(ray)) return kBad;
         ++rays;
-        if (depth > 0) hit = scene_.embree().intersect(ray, kInfinity);
-        sum += throughput * light_on_the_way(ray, normal, hit ? hit->distance : kInfinity, depth, bsdf_pdf);
-        if (!hit) return sum + throughput * sky(ray, normal, depth, through_glass, bsdf_pdf);
-        sum += throughput * materials_[hit->mesh].material.emission;
+        const std::optional<Hit> hit = scene_.embree().intersect(ray, kInfinity);
+        sum += flight.throughput *
+               light_on_the_way(ray, flight.normal, hit ? hit->distance : kInfinity, depth, flight.bsdf_pdf);
+        if (!hit) {
+            return sum +
+                   flight.throughput * sky(ray, flight.normal, depth, flight.through_glass, flight.bsdf_pdf);
+        }
+        sum += flight.throughput * materials_[hit->mesh].material.emission;
         if (depth == options_.max_scatter) return sum;
 
-        const Vertex v(*this, ray, *hit, depth, through_glass);
-        if (depth == 0 && first != nullptr)
-            *first = {v.surface.base_color, v.surface.shading_normal, v.surface.geometric_normal};
+        const Vertex v(*this, ray, *hit, depth, flight.through_glass);
         const auto pair = [&](Pair which) {
-            return random(static_cast<std::uint32_t>(depth) * kPairsPerVertex + which);
+            return random.branch(static_cast<std::uint32_t>(depth) * kPairsPerVertex + which, branch.number,
+                                 branch.of);
         };
-        const bool roulette = depth >= options_.roulette_after;
-        const bool choose = roulette || lights_.size() > 1 || v.bsdf.needs_choice();
-        Sample2 choice = choose ? pair(kChoice) : Sample2{0.0f, 0.0f};
-        if (lights_.size() > 0 && options_.lights != LightStrategy::Scatter)
-            sum += throughput * direct_light(v, choice.u, pair(kLight), ray.time, rays);
-
-        const Sample2 uv = pair(kScatter);
-        const std::optional<BsdfSample> scattered = v.bsdf.sample(uv.u, uv.v, choice.v);
-        if (!scattered) return sum;
-        throughput *= scattered->weight;
-        density *= scattered->density;
-        if (roulette) {
-            const float survival = std::min(1.0f, density * throughput.maxCoeff());
-            if (!(choice.v < survival)) return sum;
-            throughput /= survival;
-        }
-        bsdf_pdf = scattered->pdf;
-        normal = v.frame.normal;
-        ray.direction = v.frame.to_world(scattered->wi);
-        if (scattered->wi.z() > 0.0f) {
-            through_glass = false;
-            ray.origin = v.surface.ray_origin;
-        } else {
-            // Refracted by the interpolated normal, but reflected by the true one: there is no such light.
-            if (ray.direction.dot(v.surface.geometric_normal) > 0.0f) return sum;
-            ray.origin = v.surface.ray_origin_behind;
-        }
+        const bool choose = depth >= options_.roulette_after || lights_.size() > 1 || v.bsdf.needs_choice();
+        const Sample2 choice = choose ? pair(kChoice) : Sample2{0.0f, 0.0f};
+        if (samples_lights())
+            sum += flight.throughput * direct_light(v, choice.u, pair(kLight), ray.time, rays);
+        if (!scatter(v, depth, pair(kScatter), choice.v, flight)) return sum;
     }
+}
+
+Radiance PathTracer::radiance(const Ray& ray, const std::optional<Hit>& hit, const SampleNumbers& random,
+                              std::uint64_t& rays, FirstSurface* first) const {
+    Radiance result;
+    if (!traceable(ray)) return {.near = kBad};
+    ++rays;
+    const Flight start{.ray = ray};
+    result.near = light_on_the_way(ray, start.normal, hit ? hit->distance : kInfinity, 0, 0.0f);
+    if (!hit) {
+        result.near += sky(ray, start.normal, 0, true, 0.0f);
+        return result;
+    }
+    result.near += materials_[hit->mesh].material.emission;
+    if (options_.max_scatter == 0) return result;
+
+    const Vertex v(*this, ray, *hit, 0, true);
+    if (first != nullptr)
+        *first = {v.surface.base_color, v.surface.shading_normal, v.surface.geometric_normal};
+    if (samples_lights()) {
+        const float choice = lights_.size() > 1 ? random(kChoice).u : 0.0f;
+        result.near += direct_light(v, choice, random(kLight), ray.time, rays);
+    }
+    const bool choose = options_.roulette_after <= 0 || v.bsdf.needs_choice();
+    const std::uint64_t before = rays;
+    const Branch all{0, branches(hit->mesh)};
+    for (Branch each = all; each.number < all.of; ++each.number) {
+        Flight flight = start;
+        const float choice = choose ? random.branch(kChoice, each.number, all.of).v : 0.0f;
+        if (scatter(v, 0, random.branch(kScatter, each.number, all.of), choice, flight))
+            result.far += follow(flight, random, each, rays);
+    }
+    result.far /= static_cast<float>(all.of);
+    result.far_rays = rays - before;
+    return result;
 }
 
 }  // namespace automorph::render

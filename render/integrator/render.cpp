@@ -5,9 +5,9 @@
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-#include <xmmintrin.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -19,7 +19,10 @@
 #include <vector>
 
 #include "morph/mesh/errors.h"
+#include "render/integrator/camera_rays.h"
+#include "render/integrator/denormals.h"
 #include "render/integrator/path.h"
+#include "render/integrator/splitting.h"
 #include "render/sampler/sobol.h"
 
 namespace automorph::render {
@@ -40,20 +43,7 @@ void check(const RenderOptions& options) {
     require(options.tile >= 1, "tile", options.tile, "at least 1");
 }
 
-// Embree wants denormal numbers flushed to zero; set on every thread alike, so that all compute the same
-// bits.
-class FlushDenormals {
-public:
-    FlushDenormals() : before_(_mm_getcsr()) { _mm_setcsr(before_ | kFlushToZero | kDenormalsAreZero); }
-    ~FlushDenormals() { _mm_setcsr(before_); }
-    FlushDenormals(const FlushDenormals&) = delete;
-    FlushDenormals& operator=(const FlushDenormals&) = delete;
-
-private:
-    static constexpr unsigned kFlushToZero = 0x8000, kDenormalsAreZero = 0x0040;
-    unsigned before_;
-};
-
+constexpr int kFewSamples = 16;         // per pixel: up to here, the pilot would be much of the work
 constexpr double kRaysPerSample = 3.0;  // about, with shadow rays; decides only how the tree is updated
 
 struct Counts {
@@ -89,13 +79,12 @@ double luminance(const Eigen::Array3d& c) {
 class Film {
 public:
     Film(const Scene& scene, const PathTracer& tracer, const PictureCamera& camera,
-         const RenderOptions& options)
+         const CameraRays& camera_rays, const RenderOptions& options)
         : scene_(scene),
           tracer_(tracer),
           camera_(camera),
+          camera_rays_(camera_rays),
           options_(options),
-          filter_(options.filter),
-          motion_(scene.has_motion()),
           sums_(static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height)),
           surfaces_(options.layers ? sums_.size() : 0),
           goals_(sums_.size(), static_cast<std::uint32_t>(options.spp)) {}
@@ -130,17 +119,6 @@ private:
                static_cast<std::size_t>(x);
     }
 
-    Ray camera_ray(float x, float y, const SampleNumbers& random) const {
-        if (!motion_ && !camera_.has_lens()) return {camera_.origin(), camera_.direction(x, y)};
-        Ray ray{camera_.origin(), camera_.direction(x, y)};
-        if (camera_.has_lens()) {
-            const Sample2 lens = random(kLens);
-            ray = camera_.lens_ray(x, y, lens.u, lens.v);
-        }
-        if (motion_) ray.time = random(kTime).u;
-        return ray;
-    }
-
     std::uint32_t goal(int x, int y) const {
         double variance = 0.0;
         for (int j = std::max(0, y - 1); j <= std::min(options_.height - 1, y + 1); ++j) {
@@ -156,6 +134,22 @@ private:
         return static_cast<std::uint32_t>(std::min<double>(needed, options_.spp));
     }
 
+    // Of the first mesh that a packet met: mostly the only one.
+    void prepare_branches(const PixelSampler& random, std::uint32_t first,
+                          const std::array<std::optional<Hit>, RayPacket::kSize>& hits,
+                          SampleNumbers::Prepared& prepared) const {
+        const auto met =
+            std::find_if(hits.begin(), hits.end(), [](const auto& hit) { return hit.has_value(); });
+        prepared.branches = met == hits.end() ? 1 : tracer_.branches((*met)->mesh);
+        if (prepared.branches == 1) return;
+        constexpr std::uint32_t kBatch = PixelSampler::kBatch;
+        for (std::uint32_t i = 0; i < prepared.branches; ++i) {
+            const std::uint32_t begin = first * prepared.branches + i * kBatch;
+            random(begin, kScatter, prepared.scatter[i]);
+            random(begin, kChoice, prepared.choice[i]);
+        }
+    }
+
     void pixel(int x, int y, std::uint32_t limit, Counts& counts) {
         const PixelSampler random(options_.seed, options_.frame, static_cast<std::uint32_t>(x),
                                   static_cast<std::uint32_t>(y));
@@ -167,19 +161,20 @@ private:
         for (std::uint32_t first = sums.taken; first < end;
              first += static_cast<std::uint32_t>(packet.count)) {
             for (std::uint32_t pair = 0; pair < tracer_.usual_pairs(); ++pair)
-                random(first, pair, prepared[pair]);
+                random(first, pair, prepared.pairs[pair]);
             packet.count = std::min<std::size_t>(RayPacket::kSize, end - first);
             for (std::size_t i = 0; i < packet.count; ++i) {
-                packet.rays[i] = camera_ray(static_cast<float>(x) + 0.5f + filter_(prepared[kPixel].u[i]),
-                                            static_cast<float>(y) + 0.5f + filter_(prepared[kPixel].v[i]),
-                                            SampleNumbers(random, prepared, tracer_.usual_pairs(), first, i));
+                packet.rays[i] =
+                    camera_rays_(x, y, SampleNumbers(random, prepared, tracer_.usual_pairs(), first, i));
             }
             const auto hits = scene_.embree().intersect(packet);
+            prepare_branches(random, first, hits, prepared);
             for (std::size_t i = 0; i < packet.count; ++i) {
                 const SampleNumbers numbers(random, prepared, tracer_.usual_pairs(), first, i);
                 FirstSurface surface;
-                sums.add(tracer_.radiance(packet.rays[i], hits[i], numbers, counts.rays,
-                                          options_.layers ? &surface : nullptr));
+                const Radiance found = tracer_.radiance(packet.rays[i], hits[i], numbers, counts.rays,
+                                                        options_.layers ? &surface : nullptr);
+                sums.add(found.sum());
                 if (options_.layers) surfaces_[index(x, y)] += surface;
             }
         }
@@ -191,9 +186,8 @@ private:
     const Scene& scene_;
     const PathTracer& tracer_;
     const PictureCamera& camera_;
+    const CameraRays& camera_rays_;
     const RenderOptions& options_;
-    FilterSampler filter_;
-    bool motion_;
     std::vector<PixelSums> sums_;         // by pixel, rows from the top
     std::vector<FirstSurface> surfaces_;  // likewise, empty without layers
     std::vector<std::uint32_t> goals_;    // likewise: samples that the pixel needs
@@ -293,8 +287,11 @@ RenderResult render(Scene& scene, const Camera& camera, const RenderOptions& opt
     const auto work = [&] {
         scene.commit(static_cast<double>(options.width) * options.height * options.spp * kRaysPerSample);
         const auto start = std::chrono::steady_clock::now();
-        const PathTracer tracer(scene, view, options);
-        Film film(scene, tracer, view, options);
+        PathTracer tracer(scene, view, options);
+        const CameraRays camera_rays(view, options.filter, scene.has_motion());
+        if (options.split && options.spp > kFewSamples)
+            tracer.split(choose_branches(scene, tracer, camera_rays, options, result.rays));
+        Film film(scene, tracer, view, camera_rays, options);
         render_film(film, options, result);
         result.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };

@@ -34,6 +34,9 @@ struct RenderOptions {
     Filter filter = Filter::BlackmanHarris;
     LightStrategy lights = LightStrategy::Both;
     int roulette_after = 3;  ///< scattering vertices before Russian roulette may end a path
+    /// Whether several paths may go on from the first surface of a sample, where most of the noise is theirs
+    /// (splitting.h). Pictures of 16 samples or fewer are never split.
+    bool split = true;
 
     int threads = 0;  ///< 0: all. The picture does not depend on it
     int tile = 16;    ///< side of the square of pixels that a thread takes at a time; no influence either

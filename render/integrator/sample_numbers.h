@@ -21,13 +21,19 @@ enum Pair : std::uint32_t {
     kTime = 0x10000001,
 };
 
-/// The random numbers of one camera ray and its path. Those that nearly every path takes are computed for a
-/// whole batch of samples.
+/// Most paths that may go on from the first surface.
+inline constexpr std::uint32_t kMostBranches = 4;
+
+/// The random numbers of one camera ray and the paths that go on from its first surface. Those that nearly
+/// every path takes are computed for a whole batch of samples.
 class SampleNumbers {
 public:
     static constexpr std::uint32_t kPrepared = 4;
-    using Prepared =
-        std::array<PixelSampler::Batch, kPrepared>;  ///< by pair; of samples first, first + 1, ...
+    struct Prepared {
+        std::array<PixelSampler::Batch, kPrepared> pairs;  ///< of samples first, first + 1, ...
+        std::uint32_t branches = 1;  ///< if more: so many batches of both pairs below are prepared, too
+        std::array<PixelSampler::Batch, kMostBranches> scatter, choice;  ///< at the first surface
+    };
 
     /// @param count   of the pairs that are prepared
     /// @param offset  of the sample in the batch
@@ -36,12 +42,26 @@ public:
         : pixel_(pixel), prepared_(prepared), count_(count), first_(first), offset_(offset) {}
 
     Sample2 operator()(std::uint32_t pair) const {
-        if (pair < count_ && pair < kPrepared)
-            return {prepared_[pair].u[offset_], prepared_[pair].v[offset_]};
+        if (pair < count_ && pair < kPrepared) return at(prepared_.pairs[pair], offset_);
         return pixel_(first_ + static_cast<std::uint32_t>(offset_), pair);
     }
 
+    /// Of path `which` of the `of` that share the first surface; `of` times as many, stratified as well.
+    Sample2 branch(std::uint32_t pair, std::uint32_t which, std::uint32_t of) const {
+        if (of == 1) return (*this)(pair);
+        if (of == prepared_.branches && (pair == kScatter || pair == kChoice)) {
+            const std::size_t place = offset_ * of + which;
+            const auto& batches = pair == kScatter ? prepared_.scatter : prepared_.choice;
+            return at(batches[place / PixelSampler::kBatch], place % PixelSampler::kBatch);
+        }
+        return pixel_((first_ + static_cast<std::uint32_t>(offset_)) * of + which, pair);
+    }
+
 private:
+    static Sample2 at(const PixelSampler::Batch& batch, std::size_t place) {
+        return {batch.u[place], batch.v[place]};
+    }
+
     const PixelSampler& pixel_;
     const Prepared& prepared_;
     std::uint32_t count_, first_;

@@ -34,12 +34,20 @@ std::string range(const char* axis, int first, int extent) {
                        : fmt::format("{} {}-{}", axis, first, first + extent - 1);
 }
 
+/// Of the place of a test.
+/// @param channels  of the picture
+std::string channel_name(const TestResult& test, const std::vector<std::string>& channels) {
+    const std::vector<std::string>& names = test.channels.empty() ? channels : test.channels;
+    const auto channel = static_cast<std::size_t>(test.where.channel);
+    return channel < names.size() ? names[channel] : "?";
+}
+
 /// "x 16-23, y 40-47, blue"
-std::string place_text(const Place& place, const std::vector<std::string>& channels) {
+std::string place_text(const TestResult& test, const std::vector<std::string>& channels) {
+    const Place& place = test.where;
     if (place.width == 0) return "";
-    const auto channel = static_cast<std::size_t>(place.channel);
     return fmt::format("{}, {}, {}", range("x", place.x, place.width), range("y", place.y, place.height),
-                       channel < channels.size() ? channels[channel] : "?");
+                       channel_name(test, channels));
 }
 
 /// "+2.1 %", or in radiance where the golden is black.
@@ -55,7 +63,7 @@ std::string finding_text(const PictureDiff& diff) {
     const TestResult& test = diff.comparison.worst();
     const std::string text = fmt::format("{} {:.4g} (limit {:.4g})", test.name, test.value, test.limit);
     if (test.where.width == 0) return text;
-    return fmt::format("{} at {}: {}", text, place_text(test.where, diff.channels), change_text(test));
+    return fmt::format("{} at {}: {}", text, place_text(test, diff.channels), change_text(test));
 }
 
 std::string how_text(const PictureDiff& diff, const DiffArguments& arguments) {
@@ -71,8 +79,8 @@ std::string tests_table(const PictureDiff& diff) {
     for (const TestResult& test : diff.comparison.tests) {
         const std::string chance = test.chance ? fmt::format("{:.2g}", *test.chance) : "";
         text += fmt::format("{:<20} {:>10.4g} {:>10.4g}  {:<32} {:>10.4g} {:>10.4g}  {:<10}{}{}\n", test.name,
-                            test.value, test.limit, place_text(test.where, diff.channels), test.golden,
-                            test.found, change_text(test), chance, test.passed() ? "" : "  DIFFERENT");
+                            test.value, test.limit, place_text(test, diff.channels), test.golden, test.found,
+                            change_text(test), chance, test.passed() ? "" : "  DIFFERENT");
     }
     if (diff.sensitivity) {
         text += fmt::format(
@@ -88,13 +96,12 @@ nlohmann::ordered_json test_json(const TestResult& test, const std::vector<std::
     nlohmann::ordered_json json{{"name", test.name},   {"passed", test.passed()}, {"value", test.value},
                                 {"limit", test.limit}, {"where", nullptr},        {"golden", test.golden},
                                 {"new", test.found}};
-    const auto channel = static_cast<std::size_t>(test.where.channel);
-    if (test.where.width > 0 && channel < channels.size()) {
+    if (test.where.width > 0) {
         json["where"] = {{"x", test.where.x},
                          {"y", test.where.y},
                          {"width", test.where.width},
                          {"height", test.where.height},
-                         {"channel", channels[channel]}};
+                         {"channel", channel_name(test, channels)}};
     }
     if (test.chance) json["chance"] = *test.chance;
     return json;

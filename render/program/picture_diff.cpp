@@ -21,6 +21,10 @@ using render::NoisyImage;
 
 const std::vector<std::string> kVariance{"variance.R", "variance.G", "variance.B"};
 const std::vector<std::string> kSamples{"samples.count"};
+const std::vector<std::vector<std::string>> kSurfaces{
+    {"albedo.R", "albedo.G", "albedo.B"},
+    {"shading_normal.X", "shading_normal.Y", "shading_normal.Z"},
+    {"depth.Z"}};
 
 bool has_noise_layers(const fs::path& file) {
     const std::vector<std::string> names = render::channel_names(file);
@@ -31,8 +35,15 @@ bool has_noise_layers(const fs::path& file) {
 }
 
 NoisyImage read_noisy(const fs::path& file) {
-    std::optional<std::vector<Image>> layers =
-        render::read_layers(file, {{"R", "G", "B"}, kVariance, kSamples});
+    const std::vector<std::vector<std::string>> needed{{"R", "G", "B"}, kVariance, kSamples};
+    std::vector<std::vector<std::string>> all = needed;
+    all.insert(all.end(), kSurfaces.begin(), kSurfaces.end());
+    std::optional<std::vector<Image>> layers = render::read_layers(file, all);
+    if (layers) {
+        return {std::move((*layers)[0]), std::move((*layers)[1]), std::move((*layers)[2]),
+                render::Surfaces{std::move((*layers)[3]), std::move((*layers)[4]), std::move((*layers)[5])}};
+    }
+    layers = render::read_layers(file, needed);
     if (!layers) {
         throw IoError(
             fmt::format("{}: there are no layers 'variance' and 'samples', without which noise cannot be "

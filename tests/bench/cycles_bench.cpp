@@ -13,6 +13,7 @@
 #include "render/integrator/render.h"
 #include "tests/bench/bench_scenes.h"
 #include "tests/bench/cycles_job.h"
+#include "tests/bench/number.h"
 
 namespace automorph::bench {
 namespace {
@@ -36,11 +37,12 @@ std::optional<Choice> parse(const std::vector<std::string>& arguments) {
         const auto scene = std::find_if(scenes.begin(), scenes.end(),
                                         [&](const BenchScene& s) { return s.name == arguments[i]; });
         if (arguments[i] == "--spp" && i + 1 < arguments.size()) {
-            if (std::sscanf(arguments[++i].c_str(), "%d", &choice.spp) != 1 || choice.spp < 1) return {};
+            choice.spp = number_of("--spp", arguments[++i], 1);
         } else if (arguments[i] == "--size" && i + 1 < arguments.size()) {
-            if (std::sscanf(arguments[++i].c_str(), "%dx%d", &choice.width, &choice.height) != 2 ||
-                choice.width < kBlock || choice.height < kBlock)
-                return {};
+            const std::string& size = arguments[++i];
+            const std::size_t middle = std::min(size.find('x'), size.size());
+            choice.width = number_of("--size", size.substr(0, middle), kBlock);
+            choice.height = number_of("--size", size.substr(std::min(middle + 1, size.size())), kBlock);
         } else if (scene != scenes.end()) {
             choice.scenes.push_back(*scene);
         } else if (choice.folder.empty() && !arguments[i].empty() && arguments[i][0] != '-') {

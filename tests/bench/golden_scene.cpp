@@ -206,7 +206,10 @@ std::vector<GoldenScene> golden_scenes(const std::string& figure) {
 render::NoisyImage render_changed(const GoldenScene& scene, power::Change change, int spp,
                                   std::uint64_t seed) {
     render::RenderResult result = shoot(scene, change, spp, seed);
-    return {std::move(result.image), std::move(result.layers->variance), std::move(result.layers->samples)};
+    render::Layers& layers = result.layers.value();
+    return {std::move(result.image), std::move(layers.variance), std::move(layers.samples),
+            render::Surfaces{std::move(layers.albedo), std::move(layers.shading_normal),
+                             std::move(layers.depth)}};
 }
 
 }  // namespace automorph::bench

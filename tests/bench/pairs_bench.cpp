@@ -16,6 +16,7 @@
 #include "morph/mesh/io.h"
 #include "morph/morph.h"
 #include "tests/bench/child_process.h"
+#include "tests/bench/number.h"
 #include "tests/bench/pair_check.h"
 #include "tests/bench/pair_log.h"
 #include "tests/bench/pair_table.h"
@@ -49,9 +50,9 @@ Arguments parsed(const std::vector<std::string>& words) {
         if (word == "--all") {
             arguments.all = true;
         } else if (word == "--sample") {
-            arguments.sample = std::stoi(value());
+            arguments.sample = number_of(word, value(), 1);
         } else if (word == "--seed") {
-            arguments.seed = std::stoull(value());
+            arguments.seed = number_of<std::uint64_t>(word, value(), 0);
         } else if (word == "--only") {
             arguments.only = value();
         } else if (word == "--log") {
@@ -62,9 +63,9 @@ Arguments parsed(const std::vector<std::string>& words) {
                 arguments.shard < 1 || arguments.shard > arguments.shards)
                 throw std::invalid_argument("--shard wants I/N, as 1/4, and not " + shard);
         } else if (word == "--seconds") {
-            arguments.limits.seconds = std::stod(value());
+            arguments.limits.seconds = number_of(word, value(), 0.0);
         } else if (word == "--memory") {
-            arguments.limits.memory_gb = std::stod(value());
+            arguments.limits.memory_gb = number_of(word, value(), 0.0);
         } else if (word == "--flat") {
             arguments.options.lift = false;
         } else if (word == "--registration") {
@@ -179,7 +180,7 @@ int pairs_bench(const std::vector<std::string>& words) {
     Arguments arguments;
     try {
         arguments = parsed(words);
-    } catch (const std::logic_error& error) {
+    } catch (const std::exception& error) {
         fmt::print(stderr, "pairs: {}\n", error.what());
         return 2;
     }

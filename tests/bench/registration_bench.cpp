@@ -17,6 +17,7 @@
 #include "morph/mesh/connectivity.h"
 #include "morph/morph.h"
 #include "morph/registration/registration.h"
+#include "tests/bench/number.h"
 #include "tests/bench/open3d.h"
 #include "tests/morph/registration/shapes.h"
 
@@ -201,9 +202,9 @@ int registration_bench(const std::vector<std::string>& words) {
     for (std::size_t k = 0; k < words.size(); ++k) {
         const bool last = k + 1 == words.size();
         if (words[k] == "--poses" && !last) {
-            poses = std::stoi(words[++k]);
+            poses = number_of("--poses", words[++k], 1);
         } else if (words[k] == "--seed" && !last) {
-            seed = std::stoull(words[++k]);
+            seed = number_of<std::uint64_t>("--seed", words[++k], 0);
         } else if (words[k] == "--only" && !last) {
             only = words[++k];
         } else if (words[k] == "--open3d") {

@@ -82,6 +82,7 @@ bool rays() {
     const MinimalScene minimal = make_minimal_scene(meshes);
     render::RenderOptions options = bench_options();
     options.roulette_after = kMaxScatter;  // the same rays
+    options.split = false;
 
     std::vector<double> ours, theirs, ratios;
     double our_mean = 0.0, their_mean = 0.0;

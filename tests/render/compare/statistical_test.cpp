@@ -7,12 +7,12 @@
 #include <functional>
 #include <limits>
 #include <random>
-#include <string_view>
 #include <vector>
 
 #include "morph/mesh/errors.h"
 #include "render/compare/pixel_noise.h"
 #include "tests/catch.h"
+#include "tests/render/compare/test_named.h"
 
 using namespace automorph;
 using namespace automorph::render;
@@ -58,14 +58,6 @@ float even(std::mt19937& random) {
 NoisyImage even_picture(int size, int spp, unsigned seed, float factor = 1.0f) {
     return sampled(size, size, spp, seed,
                    [=](std::mt19937& random, int, int, int) { return factor * even(random); });
-}
-
-const TestResult& test_named(const Comparison& comparison, std::string_view name) {
-    for (const TestResult& test : comparison.tests) {
-        if (test.name == name) return test;
-    }
-    FAIL("no test " << name);
-    return comparison.tests.front();
 }
 
 }  // namespace
