@@ -172,7 +172,7 @@ S with_mouth(S d, const Vec<S>& p, const Vec<S>& q) {
 // ---- ears ------------------------------------------------------------------------------------------
 template <class S>
 S with_ears(S d, const Vec<S>& q) {
-    if (!near(q, {7.2, -1.5, -1.5}, 5.6)) return d;
+    if (!near(q, {7.2, -1.5, -1.5}, 7.5)) return d;
     static const Turn pose = turn(-14, -30, 4);
     // local: x outwards, y up, z forwards
     const Vec<S> e = local(q, {6.75, -1.3, -1.2}, pose);

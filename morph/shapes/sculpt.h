@@ -162,7 +162,8 @@ public:
         return std::max(speed - dot(p - place.point, place.bend), 0.3 * speed);
     }
 
-    static constexpr double kReach = 3.5;
+    /// Beyond it no blend near the surface comes to a strand, with all that it is blended with in turn.
+    static constexpr double kReach = 6.5;
 
 private:
     std::vector<Bead> beads_;  // and one more beyond each end
