@@ -146,7 +146,12 @@ private:
                       BorderUnion* border) {
         if (options_.alignment != Alignment::Dense) return;
         const StageClock clock(report_, "alignment");
-        guide_ = align(source, start, target, options_.nonrigid);
+        try {
+            guide_ = align(source, start, target, options_.nonrigid);
+        } catch (const SolverFailure& failure) {
+            report_.notes.push_back(fmt::format("the alignment was given up ({})", failure.what()));
+            return;
+        }
         report_.alignment.distance = guide_->distance;
         report_.alignment.limbs_source = guide_->source_limbs;
         report_.alignment.limbs_target = guide_->target_limbs;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <numeric>
 #include <random>
@@ -288,4 +289,23 @@ TEST_CASE("a hair of thirty radii, whose map is tiny, is no trouble", "[sweep]")
     const Mesh cut = admit_mesh(open).mesh;
     checked(cut, lopsided(0.3));
     checked(cut, cut);
+}
+
+TEST_CASE("where no smooth motion can be computed, the morph is made without, and says so") {
+    const std::filesystem::path file = std::filesystem::path(AUTOMORPH_DEMO_MESHES) / "holes.off";
+    if (!std::filesystem::exists(file)) {
+        WARN("skipped: " << file << " is absent; ./run test fetches it");
+        return;
+    }
+    Mesh tetrahedron;
+    tetrahedron.V.resize(4, 3);
+    tetrahedron.V << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+    tetrahedron.F.resize(4, 3);
+    tetrahedron.F << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
+    const Morph both = morph(load_mesh(file), admit_mesh(tetrahedron));
+    CHECK(both.report().maps.size() == 2);
+    bool told = false;
+    for (const std::string& note : both.report().notes)
+        told = told || note.find("the alignment was given up (alignment: the smooth motion") == 0;
+    CHECK(told);
 }
