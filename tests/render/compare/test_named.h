@@ -6,8 +6,8 @@
 #include "tests/catch.h"
 
 /// The test of this name; fails the test case where there is none.
-inline const automorph::render::TestResult& test_named(const automorph::render::Comparison& comparison,
-                                                       std::string_view name) {
+inline automorph::render::TestResult test_named(const automorph::render::Comparison& comparison,
+                                                std::string_view name) {
     for (const automorph::render::TestResult& test : comparison.tests) {
         if (test.name == name) return test;
     }
