@@ -18,6 +18,16 @@ void NoiseTest::add(double figure, const Place& where) {
     result.where = where;
 }
 
+void NoiseTest::show_block(const Place& block, double figure) {
+    for (int y = block.y; y < block.y + block.height; ++y)
+        std::fill_n(figures.at(block.x, y), block.width, static_cast<float>(figure));
+}
+
+void NoiseTest::show_window(const Place& window, double figure) {
+    float& shown = *figures.at(window.x + window.width / 2, window.y + window.height / 2);
+    shown = std::max(shown, static_cast<float>(figure));
+}
+
 // With equal counts of samples, signs are all that is left to chance: pixels may be weighted by what both
 // pictures say together, and their own squares are the scale. Else one sign is the likelier one in skewed
 // distributions, so that only plain differences have mean 0.
@@ -44,21 +54,15 @@ NoiseTest block_test(const NoiseMap& noise, int side) {
     test.result.name = fmt::format("blocks {} x {}", side, side);
     test.figures = Image(noise.width(), noise.height(), 1);
     test.is_coarse = side > kSmallBlock;
-    for (int y0 = 0; y0 < noise.height(); y0 += side) {
-        for (int x0 = 0; x0 < noise.width(); x0 += side) {
-            const int width = std::min(side, noise.width() - x0),
-                      height = std::min(side, noise.height() - y0);
-            double worst = 0.0;
-            for (int c = 0; c < 3; ++c) {
-                const Place block{x0, y0, width, height, c};
-                const double figure = sums_of(noise, block).figure();
-                test.add(figure, block);
-                worst = std::max(worst, figure);
-            }
-            for (int y = y0; y < y0 + height; ++y)
-                std::fill_n(test.figures.at(x0, y), width, static_cast<float>(worst));
+    for_each_block(noise.width(), noise.height(), side, [&](Place block) {
+        double worst = 0.0;
+        for (block.channel = 0; block.channel < 3; ++block.channel) {
+            const double figure = sums_of(noise, block).figure();
+            test.add(figure, block);
+            worst = std::max(worst, figure);
         }
-    }
+        test.show_block(block, worst);
+    });
     return test;
 }
 
@@ -90,18 +94,14 @@ NoiseTest window_test(const NoiseMap& noise, int side) {
     NoiseTest test;
     test.result.name = side == 1 ? "single pixels" : fmt::format("windows {} x {}", side, side);
     test.figures = Image(noise.width(), noise.height(), 1);
-    for (int y = 0; y + side <= noise.height(); ++y) {
-        for (int x = 0; x + side <= noise.width(); ++x) {
-            for (int c = 0; c < 3; ++c) {
-                const Place window{x, y, side, side, c};
-                const PixelNoise sum = window_noise(noise, window);
-                const double figure = sum.sigma > 0.0 ? std::abs(sum.difference) / sum.sigma : 0.0;
-                test.add(figure, window);
-                float& shown = *test.figures.at(x + side / 2, y + side / 2);
-                shown = std::max(shown, static_cast<float>(figure));
-            }
+    for_each_window(noise.width(), noise.height(), side, [&](Place window) {
+        for (window.channel = 0; window.channel < 3; ++window.channel) {
+            const PixelNoise sum = window_noise(noise, window);
+            const double figure = sum.sigma > 0.0 ? std::abs(sum.difference) / sum.sigma : 0.0;
+            test.add(figure, window);
+            test.show_window(window, figure);
         }
-    }
+    });
     return test;
 }
 

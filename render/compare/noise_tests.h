@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "render/compare/comparison.h"
@@ -12,6 +13,23 @@ namespace automorph::render {
 inline constexpr int kSmallBlock = 8, kLargeBlock = 32;  ///< pixels
 inline constexpr int kWindow = 3;                        ///< pixels
 
+/// Calls visit(Place) for the blocks of side x side pixels that tile a picture, row by row; those at its
+/// right and lower side may be smaller. Channel 0.
+template <class Visit>
+void for_each_block(int width, int height, int side, const Visit& visit) {
+    for (int y = 0; y < height; y += side) {
+        for (int x = 0; x < width; x += side)
+            visit(Place{x, y, std::min(side, width - x), std::min(side, height - y), 0});
+    }
+}
+/// The same for the windows of side x side pixels at all places.
+template <class Visit>
+void for_each_window(int width, int height, int side, const Visit& visit) {
+    for (int y = 0; y + side <= height; ++y) {
+        for (int x = 0; x + side <= width; ++x) visit(Place{x, y, side, side, 0});
+    }
+}
+
 /// What one of `count` figures exceeds by noise with a probability of at most `rate`.
 double limit_for(double count, double rate);
 
@@ -23,6 +41,10 @@ struct NoiseTest {
     bool is_coarse = false;  ///< its figures are shown only where they are above the limit
 
     void add(double figure, const Place& where);
+    /// Shows a figure in all pixels of a block, which no other shares; in the middle one of a window, if it
+    /// is the largest there.
+    void show_block(const Place& block, double figure);
+    void show_window(const Place& window, double figure);
 };
 
 /// What a block says: the share of noise in `sum` has mean 0 and a standard deviation of `scale`, or less.

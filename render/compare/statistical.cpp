@@ -24,14 +24,12 @@ double even_change(const NoiseMap& noise, double limit) {
 
 double local_change(const NoiseMap& noise, double limit) {
     std::vector<double> sigmas;
-    for (int y = 0; y + kWindow <= noise.height(); ++y) {
-        for (int x = 0; x + kWindow <= noise.width(); ++x) {
-            for (int c = 0; c < 3; ++c) {
-                const double sigma = window_noise(noise, {x, y, kWindow, kWindow, c}).sigma;
-                if (sigma > 0.0) sigmas.push_back(sigma);
-            }
+    for_each_window(noise.width(), noise.height(), kWindow, [&](Place window) {
+        for (window.channel = 0; window.channel < 3; ++window.channel) {
+            const double sigma = window_noise(noise, window).sigma;
+            if (sigma > 0.0) sigmas.push_back(sigma);
         }
-    }
+    });
     if (sigmas.empty()) return 0.0;
     const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
     std::nth_element(sigmas.begin(), middle, sigmas.end());

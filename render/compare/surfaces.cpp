@@ -80,7 +80,7 @@ NoiseTest NormalNoise::empty_test() const {
 }
 
 // The channel is that which differs most.
-void NormalNoise::add(NoiseTest& test, const Place& place, bool by_signs) const {
+double NormalNoise::add(NoiseTest& test, const Place& place, bool by_signs) const {
     const double value = figure(place, by_signs);
     Place where = place;
     double most = 0.0;
@@ -91,23 +91,14 @@ void NormalNoise::add(NoiseTest& test, const Place& place, bool by_signs) const 
         most = std::max(most, change);
     }
     test.add(value, where);
-    const bool window = !by_signs && place.width == place.height && place.width <= kWindow;
-    for (int y = place.y; y < place.y + place.height; ++y) {
-        for (int x = place.x; x < place.x + place.width; ++x) {
-            if (window && (x != place.x + place.width / 2 || y != place.y + place.height / 2)) continue;
-            float& shown = *test.figures.at(x, y);
-            shown = std::max(shown, static_cast<float>(value));
-        }
-    }
+    return value;
 }
 
 NoiseTest NormalNoise::block_test(int side) const {
     NoiseTest test = empty_test();
     test.result.name = fmt::format("normal, blocks {} x {}", side, side);
-    for (int y = 0; y < height_; y += side) {
-        for (int x = 0; x < width_; x += side)
-            add(test, {x, y, std::min(side, width_ - x), std::min(side, height_ - y), 0}, equal_counts_);
-    }
+    for_each_block(width_, height_, side,
+                   [&](const Place& block) { test.show_block(block, add(test, block, equal_counts_)); });
     return test;
 }
 
@@ -115,9 +106,8 @@ NoiseTest NormalNoise::window_test(int side) const {
     NoiseTest test = empty_test();
     test.result.name =
         side == 1 ? "normal, single pixels" : fmt::format("normal, windows {} x {}", side, side);
-    for (int y = 0; y + side <= height_; ++y) {
-        for (int x = 0; x + side <= width_; ++x) add(test, {x, y, side, side, 0}, false);
-    }
+    for_each_window(width_, height_, side,
+                    [&](const Place& window) { test.show_window(window, add(test, window, false)); });
     return test;
 }
 

@@ -36,7 +36,8 @@ private:
     }
     double figure(const Place& place, bool by_signs) const;
     NoiseTest empty_test() const;
-    void add(NoiseTest& test, const Place& place, bool by_signs) const;
+    /// Adds the figure of a place to a test, and returns it.
+    double add(NoiseTest& test, const Place& place, bool by_signs) const;
 
     const Image &golden_, &found_;
     int width_, height_;
