@@ -71,10 +71,6 @@ struct PixelSums {
     }
 };
 
-double luminance(const Eigen::Array3d& c) {
-    return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
-}
-
 /// The picture in the making, tile by tile.
 class Film {
 public:

@@ -43,10 +43,6 @@ struct Estimate {
     double near = 0.0, far = 0.0, count = 0.0;
 };
 
-double luminance(const Color& c) {
-    return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
-}
-
 Estimate estimate(const Scene& scene, const PathTracer& tracer, const CameraRays& camera_rays, int x, int y,
                   const PixelSampler& sampler, PilotPixel& pixel) {
     Estimate sums;

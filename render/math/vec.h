@@ -12,6 +12,12 @@ inline constexpr float kPi = 3.14159265358979324f;
 inline constexpr float kInvPi = 0.318309886183790672f;
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
+/// Of linear Rec.709.
+template <class Scalar>
+double luminance(const Eigen::Array<Scalar, 3, 1>& c) {
+    return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2];
+}
+
 /// Cross product (without the weight of <Eigen/Geometry>).
 template <class Vector>
 inline Vector cross(const Vector& a, const Vector& b) {
