@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <optional>
 
 #include "morph/mesh/write_file.h"
 #include "render/figure/loops.h"
@@ -58,11 +57,11 @@ std::vector<int> selected_frames(const Selection& frames, int count) {
     return selected;
 }
 
+constexpr const char* kTurntableName = "turntable";
+
 std::string row_clip_name(std::size_t number) {
     return fmt::format("row{}", number + 1);
 }
-
-constexpr const char* kTurntable = "turntable";
 
 void encode(const std::vector<VideoFrame>& stills, const std::vector<int>& still_of_frame, double fps,
             const std::vector<std::filesystem::path>& files) {
@@ -150,7 +149,7 @@ Clip turntable_clip(const FigureConfig& config, const FigureOptions& options, co
     shooting.adaptive_error = kVideoError;
 
     Clip clip;
-    clip.name = kTurntable;
+    clip.name = kTurntableName;
     clip.width = shooting.width;
     clip.height = shooting.height;
     RowSubject subject(shooting, row, figure.scale);
@@ -184,17 +183,23 @@ VideoSize video_size(const FigureConfig& config) {
     return {side(config.picture.width), side(config.picture.height)};
 }
 
+bool has_row_clips(const FigureConfig& config, const FigureOptions& options) {
+    return config.show == Show::Morph && !selected_frames(options.frames, config.video.frames).empty();
+}
+
+bool has_turntable(const FigureConfig& config, const FigureOptions& options) {
+    return config.show == Show::Morph && options.rows.has(turning_row(config)) &&
+           !selected_frames(options.frames, config.video.turntable).empty();
+}
+
 std::vector<std::string> clip_names(const FigureConfig& config, const FigureOptions& options) {
     std::vector<std::string> names;
-    if (config.show != Show::Morph) return names;
-    if (!selected_frames(options.frames, config.video.frames).empty()) {
+    if (has_row_clips(config, options)) {
         for (std::size_t row = 0; row < config.rows.size(); ++row) {
             if (options.rows.has(row)) names.push_back(row_clip_name(row));
         }
     }
-    if (options.rows.has(turning_row(config)) &&
-        !selected_frames(options.frames, config.video.turntable).empty())
-        names.emplace_back(kTurntable);
+    if (has_turntable(config, options)) names.emplace_back(kTurntableName);
     return names;
 }
 
@@ -204,23 +209,19 @@ std::vector<std::filesystem::path> video_files(const std::filesystem::path& fold
 
 void make_clips(const FigureConfig& config, const FigureOptions& options, const std::filesystem::path& folder,
                 Figure& figure) {
-    const std::vector<std::string> names = clip_names(config, options);
-    if (names.empty()) return;
-    const auto wanted = [&](const std::string& name) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
+    const bool filmed = has_row_clips(config, options), turned = has_turntable(config, options);
+    if (!filmed && !turned) return;
     const Stopwatch filming;
     make_folder(folder);
     const bool encodes = has_ffmpeg();
     if (!encodes) figure.no_videos = "the program ffmpeg is not installed (Debian package ffmpeg)";
-    std::optional<Shooting> shooting;
-    for (FigureRow& row : figure.rows) {
-        if (!wanted(row_clip_name(row.number))) continue;
-        if (!shooting) shooting.emplace(loop_shooting(config, options, figure));
-        row.clip = row_clip(config, *shooting, figure, row, folder, encodes);
+    if (filmed) {
+        const Shooting shooting = loop_shooting(config, options, figure);
+        for (FigureRow& row : figure.rows)
+            row.clip = row_clip(config, shooting, figure, row, folder, encodes);
     }
     for (const FigureRow& row : figure.rows) {
-        if (encodes && row.number == turning_row(config) && wanted(kTurntable))
+        if (encodes && turned && row.number == turning_row(config))
             figure.turntable = turntable_clip(config, options, figure, row, folder);
     }
     figure.video_seconds = filming.seconds();

@@ -16,7 +16,11 @@ struct VideoSize {
 };
 VideoSize video_size(const FigureConfig& config);
 
-/// What make_clips() makes of the selected rows and frames, by name: "row1", "turntable".
+/// Whether the selected rows and frames make films: one of each row's morph, one of the row that turns.
+bool has_row_clips(const FigureConfig& config, const FigureOptions& options);
+bool has_turntable(const FigureConfig& config, const FigureOptions& options);
+
+/// These by name: "row1", "turntable".
 std::vector<std::string> clip_names(const FigureConfig& config, const FigureOptions& options);
 
 /// Browsers and editors play one or the other: NAME.mp4, NAME.webm.

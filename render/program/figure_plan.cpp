@@ -41,8 +41,7 @@ Counts counts_of(const FigureConfig& config, const FigureOptions& options) {
             needed[static_cast<std::size_t>(std::min(i, config.video.frames - i))] = true;
     }
     counts.stills = static_cast<int>(std::count(needed.begin(), needed.end(), true));
-    const std::vector<std::string> clips = clip_names(config, options);
-    if (has_ffmpeg() && !clips.empty() && clips.back() == "turntable") {
+    if (has_ffmpeg() && has_turntable(config, options)) {
         counts.turntable =
             static_cast<int>(selected(options.frames, static_cast<std::size_t>(config.video.turntable)));
     }
