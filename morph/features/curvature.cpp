@@ -101,8 +101,9 @@ Curvature smoothed(const Curvature& curvature, const Mesh& mesh, double length) 
     // its mass is spread too, and the result divided by the share that was there.
     const double area = triangle_areas(mesh).sum();
     if (!(area > 0.0)) return curvature;
+    const Eigen::VectorXd areas = vertex_areas(mesh);
     // Vertices without triangles or area: the matrix stays regular.
-    const Eigen::VectorXd mass = vertex_areas(mesh).cwiseMax(kLeastMass * area);
+    const Eigen::VectorXd mass = areas.cwiseMax(kLeastMass * area);
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(
         heat_flow(mesh, mass, 0.5 * length * length * area));
     if (solver.info() != Eigen::Success)
@@ -111,7 +112,7 @@ Curvature smoothed(const Curvature& curvature, const Mesh& mesh, double length) 
     const auto n = static_cast<Eigen::Index>(curvature.defined.size());
     Eigen::VectorXd share(n);
     for (Eigen::Index v = 0; v < n; ++v)
-        share[v] = curvature.defined[static_cast<std::size_t>(v)] ? mass[v] : 0.0;
+        share[v] = curvature.defined[static_cast<std::size_t>(v)] ? areas[v] : 0.0;
     Curvature result = curvature;
     const Eigen::VectorXd part = solver.solve(share);
     const Eigen::VectorXd gaussian = solver.solve(share.cwiseProduct(curvature.gaussian)),

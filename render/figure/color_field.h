@@ -17,7 +17,8 @@ struct ColorScale {
 
 /// A number per vertex (#V) of each frame, by which it is coloured:
 ///  - Curvature: mean curvature times the root of the area, smoothed over 2 % of that root, so that single
-///    triangles do not show; positive where convex. NaN on borders.
+///    triangles do not show; positive where convex. On borders the mean of the inner neighbours, NaN without
+///    any.
 ///  - Displacement: distance of the vertex from where the best rigid motion of the whole source (weighted by
 ///    area) brings it; scene units.
 ///  - Distortion: per triangle max(s1, 1 / s2) of the singular values s1 >= s2 of its linear map from the

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <vector>
 
 #include "morph/shapes/shapes.h"
 #include "tests/catch.h"
@@ -69,6 +70,46 @@ TEST_CASE("the curvature of a sphere is what its legend says, whatever its size"
         CHECK(values[0].minCoeff() > 3.0);
         CHECK(values[0].maxCoeff() < 4.1);
     }
+}
+
+TEST_CASE("a border has the curvature of what is beside it") {
+    const Mesh bowl = ellipsoid({1, 1, 1}, {.triangles = 4000}, 0.4);
+    const auto values = color_field(ColorField::Curvature, sequence_of(bowl, {bowl.V}));
+    CHECK(values[0].allFinite());
+    CHECK(values[0].minCoeff() > 0.7 * values[0].mean());
+    CHECK(values[0].maxCoeff() < 1.3 * values[0].mean());
+}
+
+TEST_CASE("vertices without an area of note, as an overlay has them, do not show in the curvature") {
+    // In every twentieth triangle a tiny one with a vertex in its middle, bent as rounding has it.
+    constexpr double kTiny = 1e-12;
+    Mesh sphere = ellipsoid({1, 1, 1}, {.triangles = 4000});
+    std::vector<Eigen::RowVector3d> points(sphere.V.rowwise().begin(), sphere.V.rowwise().end());
+    std::vector<Eigen::RowVector3i> faces;
+    for (Eigen::Index f = 0; f < sphere.F.rows(); ++f) {
+        const Eigen::RowVector3i t = sphere.F.row(f);
+        if (f % 20 != 0) {
+            faces.push_back(t);
+            continue;
+        }
+        const Eigen::RowVector3d middle = sphere.V(t, Eigen::all).colwise().mean();
+        const int p = static_cast<int>(points.size());  // the tiny triangle is p, p + 1, p + 2
+        for (const int corner : t) points.push_back(middle + kTiny * (sphere.V.row(corner) - middle));
+        points.push_back(middle * (1 + kTiny));
+        for (int k = 0; k < 3; ++k) {
+            const int next = (k + 1) % 3;
+            faces.insert(faces.end(),
+                         {{t[k], t[next], p + k}, {t[next], p + next, p + k}, {p + k, p + next, p + 3}});
+        }
+    }
+    sphere.V.resize(static_cast<Eigen::Index>(points.size()), 3);
+    for (std::size_t i = 0; i < points.size(); ++i) sphere.V.row(static_cast<Eigen::Index>(i)) = points[i];
+    sphere.F.resize(static_cast<Eigen::Index>(faces.size()), 3);
+    for (std::size_t i = 0; i < faces.size(); ++i) sphere.F.row(static_cast<Eigen::Index>(i)) = faces[i];
+
+    const auto values = color_field(ColorField::Curvature, sequence_of(sphere, {sphere.V}));
+    CHECK(values[0].minCoeff() > 3.0);
+    CHECK(values[0].maxCoeff() < 4.1);
 }
 
 TEST_CASE("one scale holds for all rows, leaves out the extremes and is rounded") {
