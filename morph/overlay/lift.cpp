@@ -86,18 +86,17 @@ Points lift(const Points& V, const Points& normals, const std::vector<Site>& sit
         if (site.count == 1) continue;
         const Vector3d p = points.row(static_cast<Eigen::Index>(k));
         Vector3d n = Vector3d::Zero();
-        bool smooth = true;
-        for (int i = 0; i < site.count; ++i) {
-            smooth = smooth && !normals.row(site.corners[i]).isZero(0.0);
-            n += site.weights[i] * normals.row(site.corners[i]).transpose();
-        }
-        if (!smooth || n.isZero(0.0)) continue;
+        for (int i = 0; i < site.count; ++i) n += site.weights[i] * normals.row(site.corners[i]).transpose();
+        if (n.isZero(0.0)) continue;
         n.normalize();
-        double height = 0.0;
+        double height = 0.0, smooth = 0.0;  // the weight of the corners that bend
         for (int i = 0; i < site.count; ++i) {
-            height += site.weights[i] * height_above(p, n, V.row(site.corners[i]).transpose(),
-                                                     normals.row(site.corners[i]).transpose());
+            const Vector3d n_i = normals.row(site.corners[i]);
+            const bool bends = !n_i.isZero(0.0);
+            height += site.weights[i] * height_above(p, n, V.row(site.corners[i]), bends ? n_i : n);
+            if (bends) smooth += site.weights[i];
         }
+        if (smooth < 1.0) height *= smooth * smooth;
         points.row(static_cast<Eigen::Index>(k)) += height * n;
     }
     return points;

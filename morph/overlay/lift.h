@@ -27,7 +27,9 @@ Points smooth_normals(const Mesh& mesh, double crease = kLiftCrease);
 /// Deviations: the sign of the root comes from (n - n_i) . (p - v_i), so that concave patches curve inwards;
 /// and the angle between n and n_i counts as at most kMaxBend, since facets across a crease are no patch of a
 /// smooth surface.
-/// @param normals  #V x 3 unit vertex normals; where any corner's is zero the site stays flat
+/// @param normals  #V x 3 unit vertex normals, or zero: such a corner has no say in n and bends nothing, and
+/// the height is multiplied by the squared weight of the others. So edges that end in it stay flat, and the
+/// patch between them and a curved edge has neither a step nor a tip.
 Points lift(const Points& V, const Points& normals, const std::vector<Site>& sites);
 
 }  // namespace automorph

@@ -77,27 +77,50 @@ TEST_CASE("on a saddle the lift of an edge bends with the edge: up along one axi
     }
 }
 
-TEST_CASE("the lift is continuous across an edge") {
+TEST_CASE("the lift is continuous across an edge, also beside a corner without a normal") {
     std::mt19937_64 random(3);
-    for (int i = 0; i < 100; ++i) {
-        const Patch patch = sphere_patch(random, true);
-        const double t = unit_random(random);
-        const Site edge{{0, 1, -1}, {1 - t, t, 0}, 2};
-        const double e = 1e-10;
-        const Site inside{{0, 1, 2}, {(1 - t) * (1 - e), t * (1 - e), e}, 3};
-        const Points lifted = lift(patch.V, patch.normals, {edge, inside});
-        CHECK((lifted.row(0) - lifted.row(1)).norm() < 1e-8);
+    for (int i = 0; i < 200; ++i) {
+        Patch patch = sphere_patch(random, true);
+        if (i % 2 == 1) patch.normals.row(2).setZero();
+        for (int k = 0; k < 3; ++k) {
+            const double t = 0.01 + 0.98 * unit_random(random), e = 1e-10;
+            const int from = k, to = (k + 1) % 3, apex = (k + 2) % 3;
+            const Site edge{{from, to, -1}, {1 - t, t, 0}, 2};
+            const Site inside{{from, to, apex}, {(1 - t) * (1 - e), t * (1 - e), e}, 3};
+            const Points lifted = lift(patch.V, patch.normals, {edge, inside});
+            CHECK((lifted.row(0) - lifted.row(1)).norm() < 1e-8);
+        }
     }
 }
 
-TEST_CASE("vertices are placed bit for bit, and sites without a normal stay flat") {
+TEST_CASE("vertices are placed bit for bit") {
     std::mt19937_64 random(4);
-    Patch patch = sphere_patch(random, true);
+    const Patch patch = sphere_patch(random, true);
     const Points vertex = lift(patch.V, patch.normals, {Site{{1, -1, -1}, {1, 0, 0}, 1}});
     CHECK(vertex.row(0) == patch.V.row(1));
-    patch.normals.row(2).setZero();
-    const Site site = random_site(random);
-    CHECK(lift(patch.V, patch.normals, {site}) == place(patch.V, {site}));
+}
+
+TEST_CASE("what ends in a corner without a normal stays flat, and the patch leaves it gently") {
+    std::mt19937_64 random(5);
+    for (int i = 0; i < 100; ++i) {
+        Patch patch = sphere_patch(random, true);
+        const Site inside = random_site(random);
+        const double whole = (lift(patch.V, patch.normals, {inside}) - place(patch.V, {inside})).norm();
+        patch.normals.row(2).setZero();
+        const double t = unit_random(random);
+        const Site edge{{0, 2, -1}, {1 - t, t, 0}, 2};
+        CHECK((lift(patch.V, patch.normals, {edge}) - place(patch.V, {edge})).norm() < 1e-15);
+        const double part = (lift(patch.V, patch.normals, {inside}) - place(patch.V, {inside})).norm();
+        CHECK(part > 0);
+        CHECK(part < whole);
+        // Half-way to that corner less than half the height is left: it does not end in the tip of a cone.
+        Site nearer = inside;
+        for (double& weight : nearer.weights) weight *= 0.5;
+        nearer.weights[2] += 0.5;
+        CHECK((lift(patch.V, patch.normals, {nearer}) - place(patch.V, {nearer})).norm() < 0.5 * part);
+        patch.normals.row(1).setZero();
+        CHECK((lift(patch.V, patch.normals, {inside}) - place(patch.V, {inside})).norm() < 1e-15);
+    }
 }
 
 TEST_CASE("a corner normal that faces away bounds the lift instead of sending the point to infinity") {
