@@ -28,9 +28,11 @@ Eigen::VectorXd clear_distances(const Mesh& mesh, const Plane& plane) {
     }
     if (near.size() == 2) return distance;
     std::sort(near.begin(), near.end());
+    // A plane laid through one vertex has two gaps of one width: not rounding is to choose between them.
+    const double tie = 1e-3 * reach;
     std::size_t widest = 0;
     for (std::size_t i = 1; i + 1 < near.size(); ++i) {
-        if (near[i + 1] - near[i] > near[widest + 1] - near[widest]) widest = i;
+        if (near[i + 1] - near[i] > near[widest + 1] - near[widest] + tie) widest = i;
     }
     const double shift = 0.5 * (near[widest] + near[widest + 1]);
     distance.array() -= shift;

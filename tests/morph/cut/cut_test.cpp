@@ -113,6 +113,18 @@ Registration identity(double sigma = 0.1) {
 
 }  // namespace
 
+TEST_CASE("a plane through a vertex cuts the same edges however its distance is rounded") {
+    const Mesh mesh = ellipsoid({1, 0.8, 0.6}, {.triangles = 600});
+    for (int vertex = 0; vertex < mesh.vertex_count(); vertex += 7) {
+        const Vector3d through = mesh.V.row(vertex);
+        const Vector3d normal = through.unitOrthogonal();
+        std::vector<std::size_t> counts;
+        for (const double rounding : {0.0, 1e-16, -1e-16, 3e-14, -3e-14})
+            counts.push_back(cut(mesh, {normal, normal.dot(through) + rounding}).points.size());
+        CHECK(std::count(counts.begin(), counts.end(), counts.front()) == 5);
+    }
+}
+
 TEST_CASE("a sphere, an ellipsoid and a star are cut into two disks by planes through their middle") {
     const Mesh shapes[] = {ellipsoid({1, 1, 1}, {.triangles = 800}),
                            ellipsoid({2, 1, 0.5}, {.triangles = 1000}), star({}, {.triangles = 2000})};
