@@ -92,7 +92,10 @@ VideoEncoder::VideoEncoder(const std::vector<fs::path>& files, int width, int he
                            double frames_per_second)
     : width_(width), height_(height) {
     assert(!files.empty());
-    for (const fs::path& file : files) parts_.push_back({file, name_aside(file)});
+    for (const fs::path& file : files) {
+        const fs::path place = behind_links(file);
+        parts_.push_back({place, name_aside(place)});
+    }
     log_ = name_aside(fs::path(files.front()).replace_extension(".log"));
     std::vector<std::string> words = arguments_of(parts_, width, height, frames_per_second);
     std::vector<char*> pointers;
