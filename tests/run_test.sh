@@ -164,4 +164,13 @@ if ((EUID == 0)); then
     check "nothing else needs it" never called apt-get
 fi
 
+new_machine
+stand_in cpack </dev/null
+DEBFULLNAME=Jo DEBEMAIL=jo@example.org call package
+check "a package names its builder" called 'cmake -DAUTOMORPH_MAINTAINER=Jo <jo@example.org> '
+check "and is packed" called cpack
+: >"$work/calls"
+call package
+check "an earlier builder is not named again" called 'cmake -UAUTOMORPH_MAINTAINER '
+
 exit $((failures > 0))
