@@ -33,11 +33,17 @@ std::string one_line(std::string text) {
     return text;
 }
 
-bool is_picture(const fs::path& file) {
+/// The extension in lower case.
+std::string kind_of(const fs::path& file) {
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".exr" || extension == ".png";
+    return extension;
+}
+
+bool is_picture(const fs::path& file) {
+    const std::string kind = kind_of(file);
+    return kind == ".exr" || kind == ".png";
 }
 
 /// Paths of the pictures in a folder and below, relative to it; not those that are hidden by a dot.
@@ -132,6 +138,13 @@ void copy_over(const fs::path& from, const fs::path& to) {
     write_file(to, file_content(from));
 }
 
+/// A golden is a copy of a new picture, so its name has to tell what is in it.
+void check_kinds(const DiffArguments& arguments) {
+    if (is_folder(arguments.found) || kind_of(arguments.golden) == kind_of(arguments.found)) return;
+    throw IoError(fmt::format("{}: cannot be copied over {}: --accept takes files of the same kind",
+                              arguments.found.string(), arguments.golden.string()));
+}
+
 bool is_to_be_copied(const Pair& pair, const PictureDiff& diff) {
     return pair.has_found && diff.status != DiffStatus::Same;
 }
@@ -160,6 +173,7 @@ void accept(const std::vector<Pair>& pairs, const std::vector<PictureDiff>& diff
 
 DiffStatus diff(const DiffArguments& arguments, bool quiet) {
     const std::vector<Pair> pairs = pairs_of(arguments);
+    if (arguments.accept) check_kinds(arguments);
     const auto compared = static_cast<double>(
         std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.has_golden && p.has_found; }));
     const double rate = arguments.statistical.false_alarm_rate / std::max(1.0, compared);

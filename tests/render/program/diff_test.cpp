@@ -110,6 +110,8 @@ TEST_CASE("modes are chosen by what the files hold, and said") {
     CHECK(run_program(folder, "diff plain.exr other.exr --rmse 0.1 --outlier 0.01 --outliers 960").status ==
           0);
     CHECK(run_program(folder, "diff golden.png other.png").status == 1);
+    holds(run_program(folder, "diff plain.exr other.exr --mode exact").out,
+          "values that differ 2880 (limit 0)");
     CHECK(run_program(folder, "diff plain.exr golden.png --rmse 0.003").status == 0);  // 8 bits
 
     fs::copy_file(folder / "plain.exr", folder / "copy.exr");
@@ -258,6 +260,10 @@ TEST_CASE("--accept replaces what differs, adds what is new and touches nothing 
         CHECK(content(folder / "golden/changed.exr") == content(folder / "new/changed.exr"));
         CHECK(content(folder / "fresh/first.exr") == content(folder / "new/noise.exr"));
         CHECK(run_program(folder, "diff golden/changed.exr new/nothing.exr --accept -q").status == 2);
+        const Run other = run_program(folder, "diff golden/changed.png new/changed.exr --accept");
+        CHECK(other.status == 2);
+        holds(other.err, "new/changed.exr: cannot be copied over golden/changed.png");
+        CHECK(names_in(folder / "golden").count("changed.png") == 0);
     }
     SECTION("nothing at all if one of the new pictures is broken, or by a plain comparison") {
         std::ofstream(folder / "new/zebra.exr") << "no picture";
