@@ -126,7 +126,8 @@ triangle uses or whose triangles were dropped as stray has nan,nan,nan.
 
 --report r.json has all that was found, used and measured.
 
-Every file is written aside and renamed: none is ever half there.
+Folders that are missing are made. Every file is written aside and renamed:
+none is ever half there.
 )"};
 
 constexpr HelpTopic kSummary{"summary", "What the lines that 'automorph morph' prints mean",

@@ -45,6 +45,9 @@ TEST_CASE("help teaches by examples and the version is told") {
         CHECK(std::isdigit(static_cast<unsigned char>(version.out[at + std::strlen(library)])));
     }
     CHECK(run_program(folder, "config --explain").out.find("picture.spp\n") != std::string::npos);
+    const std::string shapes = run_program(folder, "shape star --help").out;
+    CHECK(shapes.find("automorph shape star meshes/star.off") != std::string::npos);
+    CHECK(shapes.find("automorph figure") == std::string::npos);
 }
 
 TEST_CASE(
@@ -85,6 +88,14 @@ TEST_CASE(
     CHECK(lines_in(csv) == a.V.rows() + 1);
     CHECK(csv.find("nan") == std::string::npos);
     CHECK(content(folder / "r.json").find("\"rotation\"") != std::string::npos);
+}
+
+TEST_CASE("folders that are missing are made, for shapes as for morphs") {
+    const TemporaryFolder folder;
+    CHECK(run_program(folder, "shape star new/deep/s.off --triangles 300").status == 0);
+    CHECK(names_in(folder / "new/deep") == std::set<std::string>{"s.off"});
+    CHECK(run_program(folder, "morph new/deep/s.off new/deep/s.off --out out/deep/m.glb -q").status == 0);
+    CHECK(names_in(folder / "out/deep") == std::set<std::string>{"m.glb"});
 }
 
 TEST_CASE("a morph is written as one animated file, by its extension") {
@@ -290,8 +301,8 @@ TEST_CASE("every error is one line on stderr and status 1, and leaves nothing be
     check("morph a.off b.ply --correspondence a.off/c.csv", "a.off");
     check("morph a.off b.ply --frames few", "--frames");
     check("morph a.off", "TARGET");
-    check("shape star gone/s.ply", "gone/s.ply");
-    check("shape star s.xyz", "s.xyz");
+    check("shape star a.off/s.ply", "a.off: cannot be used as output folder");
+    check("shape star gone/s.xyz", "gone/s.xyz");
     check("figure bad.yaml", "bad.yaml:3:1: unknown key 'rowz' in the config; did you mean 'rows'?");
     check("figure bad.yaml --set rowz=1 --set picture.spq=2", "bad.yaml:3:1: unknown key 'rowz'");
     check("figure gone.yaml --rows 1-", "--rows '1-': expected");
