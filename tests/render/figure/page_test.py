@@ -237,6 +237,7 @@ def check_page(browser, page, has_videos):
 
 
 def take_pictures(browser, folder, page):
+    folder.mkdir(parents=True, exist_ok=True)
     browser.resize(1280, 900)
     browser.scheme("light")
     browser.open(page.as_uri())
