@@ -43,7 +43,8 @@ Leftover parse_aside(std::string_view text) {
     return result;
 }
 
-/// Pipes and devices are written as they are: to put a file in the place of /dev/null would break the machine.
+/// Pipes and devices are written as they are: to put a file in the place of /dev/null would break the
+/// machine.
 bool is_no_file(const fs::path& path) {
     std::error_code ignored;
     const fs::file_status status = fs::status(path, ignored);
@@ -59,8 +60,8 @@ void write_bytes(const fs::path& place, std::string_view bytes, const fs::path& 
     errno = 0;
     std::ofstream out(place, std::ios::binary | std::ios::trunc);
     if (!out) {
-        fail(file, fmt::format("{}{}", std::strerror(errno),
-                               errno == ENOENT ? "; does its folder exist?" : ""));
+        fail(file,
+             fmt::format("{}{}", std::strerror(errno), errno == ENOENT ? "; does its folder exist?" : ""));
     }
     errno = 0;
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
