@@ -163,7 +163,8 @@ TEST_CASE("a figure is made from a config into out/ and its name") {
            "alphas: [0, 1/2]\npicture: {width: 32, height: 32, spp: 8}\n";
     const Run plan = run_program(folder, "figure configs/tiny.yaml --quality draft --dry-run");
     CHECK(plan.status == 0);
-    for (const char* phrase : {"out/tiny", "1 x 2 cells of 16 x 16 pixels, 2 paths each", "estimate: "}) {
+    for (const char* phrase : {"out/tiny", "1 x 2 cells of 16 x 16 pixels, 2 paths each",
+                               "estimate: ", "(morphs 1 s, checks and maps 1 s, pictures 1 s"}) {
         INFO(phrase);
         CHECK(plan.out.find(phrase) != std::string::npos);
     }
