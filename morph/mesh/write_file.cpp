@@ -94,6 +94,19 @@ fs::path behind_links(const fs::path& file) {
     return place;
 }
 
+void put_in_place(const fs::path& aside, const fs::path& place) {
+    std::error_code error;
+    const fs::file_status old = fs::status(place, error);
+    if (fs::is_regular_file(old)) {
+        // A rename asks the folder only.
+        if (::access(place.c_str(), W_OK) != 0) fail(place, std::strerror(errno));
+        fs::permissions(aside, old.permissions(), error);
+        if (error) fail(place, error.message());
+    }
+    fs::rename(aside, place, error);
+    if (error) fail(place, error.message());
+}
+
 void write_file(const fs::path& file, std::string_view bytes) {
     if (is_no_file(file)) {
         write_bytes(file, bytes, file);
@@ -101,12 +114,11 @@ void write_file(const fs::path& file, std::string_view bytes) {
     }
     const UnbrokenWrite whole;
     const fs::path place = behind_links(file), aside = name_aside(place);
-    std::error_code error, ignored;
     try {
         write_bytes(aside, bytes, file);
-        fs::rename(aside, place, error);
-        if (error) fail(file, error.message());
+        put_in_place(aside, place);
     } catch (const IoError&) {
+        std::error_code ignored;
         fs::remove(aside, ignored);
         throw;
     }

@@ -18,6 +18,10 @@ void write_file(const std::filesystem::path& file, std::string_view bytes);
 /// @throws IoError if they lead nowhere
 std::filesystem::path behind_links(const std::filesystem::path& file);
 
+/// Gives a finished file aside its name. A file that it replaces hands on its permissions.
+/// @throws IoError  where there is a folder, or a file that is write-protected
+void put_in_place(const std::filesystem::path& aside, const std::filesystem::path& place);
+
 /// Makes the folder and those above it; an empty path is the working directory.
 /// @throws IoError naming the folder and the system's reason, also where files cannot be made in it
 void make_folder(const std::filesystem::path& folder);

@@ -144,12 +144,7 @@ void VideoEncoder::finish() {
     if (wait() != 0) fail();
     const UnbrokenWrite whole;
     ::unlink(log_.c_str());
-    for (const VideoFile& part : parts_) {
-        std::error_code error;
-        fs::rename(part.aside, part.file, error);
-        if (error)
-            throw IoError(fmt::format("{}: cannot be written: {}", part.file.string(), error.message()));
-    }
+    for (const VideoFile& part : parts_) put_in_place(part.aside, part.file);
 }
 
 /// Ends the input and waits; the exit status, 0 once it has been waited for.

@@ -88,6 +88,31 @@ TEST_CASE("a symbolic link stays one, and the file that it names is written") {
     CHECK_THROWS_AS(write_file(folder / "nowhere", "five"), IoError);
 }
 
+TEST_CASE("a file that is replaced keeps its permissions, and one that is write-protected its content") {
+    const TemporaryFolder folder;
+    write_file(folder / "mine", "one");
+    fs::permissions(folder / "mine", fs::perms::owner_read | fs::perms::owner_write);
+    write_file(folder / "mine", "two");
+    CHECK(content(folder / "mine") == "two");
+    CHECK(fs::status(folder / "mine").permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+
+    write_file(folder / "kept", "one");
+    fs::permissions(folder / "kept", fs::perms::owner_read | fs::perms::others_read);
+    fs::permissions(folder.path(), fs::perms::all);
+    const int status = status_of([&] {
+        constexpr uid_t kNobody = 65534;  // nothing is protected from root
+        if (::geteuid() == 0 && ::setuid(kNobody) != 0) ::_exit(98);
+        try {
+            write_file(folder / "kept", "two");
+        } catch (const IoError&) {
+            ::_exit(7);
+        }
+    });
+    CHECK(status == 7);
+    CHECK(content(folder / "kept") == "one");
+    CHECK(names_in(folder.path()) == std::set<std::string>{"mine", "kept"});
+}
+
 TEST_CASE("a device is written and stays one") {
     const TemporaryFolder folder;
     write_file("/dev/null", "nothing");
