@@ -311,7 +311,8 @@ TEST_CASE("every error is one line on stderr and status 1, and leaves nothing be
     check("figure gone.yaml --dry-run", "gone.off");
     check("figure gone.yaml --quality best", "draft|normal|final");
     check("figure gone.yaml", "gone.off");
-    check("figure no.yaml", "no.yaml");
+    check("figure no.yaml", "no.yaml: this config cannot be read: No such file");
+    check("config folder.glb", "folder.glb: this config cannot be read: it is a folder");
     check("figure gone.yaml --out a.off/x", "a.off");
     check("info gone.off", "gone.off");
     check("fly", "there is no command 'fly'");
