@@ -50,9 +50,10 @@ std::string place_text(const TestResult& test, const std::vector<std::string>& c
                        channel_name(test, channels));
 }
 
-/// "+2.1 %", or in radiance where the golden is black.
+/// "+2.1 %", or in radiance where the golden is black; "0.5 to nan" where no number tells the change.
 std::string change_text(const TestResult& test) {
     const double change = test.found - test.golden;
+    if (!std::isfinite(change)) return fmt::format("{:.3g} to {:.3g}", test.golden, test.found);
     if (std::abs(change) <= 1e-3 * std::abs(test.golden)) return fmt::format("{:+.2g}", change);
     if (!(std::abs(change) < 10.0 * std::abs(test.golden))) return fmt::format("{:+.3g}", change);
     return fmt::format("{:+.1f} %", 100.0 * change / test.golden);

@@ -1,4 +1,5 @@
 // `automorph diff` as others' CI runs it.
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -123,6 +124,12 @@ TEST_CASE("modes are chosen by what the files hold, and said") {
     CHECK(bit.status == 1);
     holds(bit.out, "values that differ 1 (limit 0) at x 7, y 9, G");
     CHECK(run_program(folder, "diff plain.exr bit.exr").status == 0);
+
+    changed = Noisy(1);
+    changed.image.at(7, 9)[1] = std::numeric_limits<float>::quiet_NaN();
+    changed.write_plain(folder / "nan.exr");
+    holds(run_program(folder, "diff plain.exr nan.exr").out, " to nan\n");
+    CHECK(run_program(folder, "diff plain.exr nan.exr").status == 1);
 
     changed = Noisy(1);
     *changed.layers.face.at(3, 3) = 5.0f;  // a layer that only the exact mode looks at
