@@ -134,6 +134,8 @@ TEST_CASE("help tells of topics and commands, and of nothing else") {
     const TemporaryFolder folder;
     CHECK(run_program(folder, "help output-files").out.find("Line i + 2 is vertex i") != std::string::npos);
     CHECK(run_program(folder, "help morph").out.find("--correspondence") != std::string::npos);
+    CHECK(run_program(folder, "help shape head").out == run_program(folder, "shape head --help").out);
+    CHECK(run_program(folder, "help shape knitting").status == 1);
     const Run unknown = run_program(folder, "help knitting");
     CHECK(unknown.status == 1);
     CHECK(unknown.err.find("there is no help on 'knitting'") != std::string::npos);
