@@ -40,6 +40,13 @@
       }
       sheet.append(element("div", { class: "strip" }, element("span", {}, row.label), cells));
     }
+    if (data.legend) {
+      const { image, width, height, meaning, low, high } = data.legend;
+      const alt = `colours from ${short(low)} to ${short(high)}: ${meaning}`;
+      const bar = element("img", { class: "legend", src: image, width, height, alt });
+      bar.style.width = `${width}px`;
+      sheet.append(bar);
+    }
     byId("figure").append(sheet);
   }
 

@@ -27,7 +27,7 @@ rows:
   - {label: registered and turning, alignment: registration}
   - {label: by features, alignment: features, domain: cut}
 alphas: [0, 1/4, 1/2, 3/4, 1]
-picture: {width: 48, height: 48, spp: 2}
+picture: {width: 48, height: 48, spp: 2, color: displacement}
 video: {frames: 8, size: 32, spp: 2, turntable: 6}
 """
 
@@ -184,6 +184,8 @@ def check_page(browser, page, has_videos):
     check("all cells are pictures", browser.value(
         "[...document.querySelectorAll('#figure img')].filter(i => i.naturalWidth === 48).length") == 15)
     check("every picture has a text", browser.value("[...document.images].every(i => i.alt.length > 2)"))
+    check("what the colours mean is told", browser.value(
+        "(i => i.naturalWidth === 2 * i.clientWidth && /^colours from 0 to .*displacement/.test(i.alt))(document.querySelector('.legend'))"))
     check("all rows have a viewer and a plot", browser.value(
         "document.querySelectorAll('.viewer > img').length === 3 && document.querySelectorAll('.viewer svg').length === 3"))
     check_made_of(browser)
