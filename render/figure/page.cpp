@@ -71,12 +71,9 @@ Json pictures_json(const std::vector<FigureCell>& cells) {
 Json legend_json(const ColorScale& scale) {
     constexpr int kBar = 480, kText = 26;
     const Image image = make_legend(scale, kBar, kText);
-    return {{"meaning", scale.meaning},
-            {"low", scale.low},
-            {"high", scale.high},
-            {"width", image.width / 2},
-            {"height", image.height / 2},
-            {"image", render::jpeg_data_uri(image, kQuality)}};
+    return {{"meaning", scale.meaning},   {"low", scale.low},
+            {"high", scale.high},         {"width", image.width / 2},
+            {"height", image.height / 2}, {"image", render::jpeg_data_uri(image, kQuality)}};
 }
 
 /// The metrics, with the pictures.
