@@ -247,10 +247,9 @@ void apply_override(Sources& sources, const YAML::Node& top, const std::string& 
         } else {
             if (!node.IsMap()) fail(fmt::format("{} is no mapping here", way.empty() ? "the config" : way));
             const bool exists = static_cast<bool>(std::as_const(node)[step]);
-            if (!exists) {
+            if (last || !exists) {
+                node.remove(step);  // name and all: errors about it tell of the override, not of the file
                 node[parsed(step)] = parsed(last ? text.substr(equals + 1) : "{}");
-            } else if (last) {
-                node[step] = parsed(text.substr(equals + 1));
             }
             node.reset(YAML::Node(node[step]));
         }
