@@ -194,6 +194,10 @@
       for (const file of video.files) player.append(element("source", { src: file, type: types[file.split(".").pop()] }));
       const links = element("p", { class: "quiet" });
       for (const file of video.files) links.append(element("a", { href: file }, file), " ");
+      player.lastChild.addEventListener("error", () => {
+        player.hidden = true;
+        links.prepend("Cannot be played here; the files lie beside the page where it was made: ");
+      });
       byId("films").append(element("div", { class: "card" }, element("h3", {}, label), player, links));
     }
     if (data.no_videos) byId("films").append(element("p", { class: "quiet" }, "No videos: " + data.no_videos + "."));

@@ -238,6 +238,18 @@ def check_page(browser, page, has_videos):
     check("no errors at the end", errors_of(browser) == [], errors_of(browser))
 
 
+def check_page_alone(browser, page):
+    """The page sent to somebody without its folder."""
+    alone = page.parent.parent / "alone" / page.name
+    alone.parent.mkdir()
+    shutil.copy(page, alone)
+    browser.open(alone.as_uri())
+    browser.value("new Promise(done => setTimeout(done, 500))")
+    check("videos that are not there are not shown, and it is said", browser.value(
+        "[...document.querySelectorAll('video')].every(v => v.clientHeight === 0 && "
+        "v.parentElement.textContent.includes('lie beside the page'))"))
+
+
 def take_pictures(browser, folder, page):
     folder.mkdir(parents=True, exist_ok=True)
     browser.resize(1280, 900)
@@ -268,6 +280,7 @@ def main():
                 take_pictures(browser, pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]).resolve())
             else:
                 check_page(browser, folder / "out/index.html", shutil.which("ffmpeg") is not None)
+                check_page_alone(browser, folder / "out/index.html")
         finally:
             browser.close()
     sys.exit(1 if failures else 0)
