@@ -13,6 +13,7 @@
 #include "render/program/commands.h"
 #include "render/program/diff_report.h"
 #include "render/program/frame_files.h"
+#include "render/program/outputs.h"
 #include "render/program/picture_diff.h"
 
 namespace automorph::program {
@@ -174,6 +175,8 @@ void accept(const std::vector<Pair>& pairs, const std::vector<PictureDiff>& diff
 DiffStatus diff(const DiffArguments& arguments, bool quiet) {
     const std::vector<Pair> pairs = pairs_of(arguments);
     if (arguments.accept) check_kinds(arguments);
+    check_outputs({arguments.heatmap, arguments.side_by_side, arguments.report},
+                  {arguments.golden, arguments.found});
     const auto compared = static_cast<double>(
         std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.has_golden && p.has_found; }));
     const double rate = arguments.statistical.false_alarm_rate / std::max(1.0, compared);

@@ -173,6 +173,8 @@ TEST_CASE("what cannot be compared has status 2 and one line that says why") {
           "plain.exr: there are no layers 'variance' and 'samples'");
     check("layers.exr once.exr", "pixel (3, 2) of the new picture has 1 samples");
     check("plain.exr plain.exr", "given as golden and as new");
+    check("plain.exr layers.exr --heatmap plain.exr", "plain.exr: is read, and would be overwritten");
+    check("plain.exr layers.exr --heatmap h.png --side-by-side h.png", "h.png: would be written twice");
     check("plain.exr empty", "give two files");
     check("nothing empty", "there is no .exr or .png file");
     check("plain.exr", "NEW");

@@ -98,6 +98,15 @@ TEST_CASE("folders that are missing are made, for shapes as for morphs") {
     CHECK(names_in(folder / "out/deep") == std::set<std::string>{"m.glb"});
 }
 
+TEST_CASE("a numbered frame does not take the place of a mesh that is read") {
+    const TemporaryFolder folder;
+    REQUIRE(run_program(folder, "shape star s_001.off --triangles 300").status == 0);
+    const Run run = run_program(folder, "morph s_001.off s_001.off --out ./s_.off --frames 2");
+    CHECK(run.status == 1);
+    CHECK(run.err.find("s_001.off: is read, and would be overwritten") != std::string::npos);
+    CHECK(run_program(folder, "morph s_001.off s_001.off --out x/s_.off --frames 2").status == 0);
+}
+
 TEST_CASE("a morph is written as one animated file, by its extension") {
     const TemporaryFolder folder;
     make_shapes(folder);
@@ -302,12 +311,14 @@ TEST_CASE("every error is one line on stderr and status 1, and leaves nothing be
     check("completion tcsh", "allowed are bash|fish|zsh");
     check("morph a.off b.ply --out a.off/m_.ply", "a.off: cannot be used as output folder");
     check("morph a.off b.ply --correspondence a.off/c.csv", "a.off");
+    check("morph a.off b.ply --report ./a.off", "./a.off: is read, and would be overwritten");
+    check("morph a.off b.ply --out m.glb --report m.glb", "m.glb: would be written twice");
     check("morph a.off b.ply --frames few", "--frames");
     check("morph a.off", "TARGET");
     check("shape star a.off/s.ply", "a.off: cannot be used as output folder");
     check("shape star gone/s.xyz", "gone/s.xyz");
     check("figure bad.yaml", "bad.yaml:3:1: unknown key 'rowz' in the config; did you mean 'rows'?");
-    check("figure bad.yaml --set rowz=1 --set picture.spq=2", "bad.yaml:3:1: unknown key 'rowz'");
+    check("figure bad.yaml --set rowz=1 --set picture.spq=2", "--set rowz=1: unknown key 'rowz'");
     check("figure gone.yaml --rows 1-", "--rows '1-': expected");
     check("figure gone.yaml --dry-run --rows 2", "row 2: there are 1");
     check("figure gone.yaml --dry-run", "gone.off");
