@@ -126,11 +126,18 @@ void write_pictures(const std::vector<Pair>& pairs, const std::vector<PictureDif
         return asked.empty() || !folders ? asked : asked / (name + ".png");
     };
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (diffs[i].status == DiffStatus::CannotCompare || (folders && diffs[i].status == DiffStatus::Same))
+        const fs::path heatmap = file_in(arguments.heatmap, pairs[i].name),
+                       side_by_side = file_in(arguments.side_by_side, pairs[i].name);
+        if (diffs[i].status == DiffStatus::CannotCompare ||
+            (folders && diffs[i].status == DiffStatus::Same)) {
+            // Those of an earlier run would seem to be of this one.
+            for (const fs::path& file : {heatmap, side_by_side}) {
+                std::error_code ignored;
+                if (fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
+            }
             continue;
-        write_diff_pictures(diffs[i], pairs[i].golden, pairs[i].found,
-                            file_in(arguments.heatmap, pairs[i].name),
-                            file_in(arguments.side_by_side, pairs[i].name));
+        }
+        write_diff_pictures(diffs[i], pairs[i].golden, pairs[i].found, heatmap, side_by_side);
     }
 }
 

@@ -219,6 +219,12 @@ TEST_CASE("folders are compared file by file, with missing and further ones told
           json::parse(content(folder / "alone.json"))["pictures"][0]["tests"][0]["limit"].get<double>() +
               0.1);
 
+    Noisy(3).write(folder / "new/sub/b.exr");
+    CHECK(run_program(folder, "diff golden new --side-by-side why/s").status == 0);
+    CHECK(names_in(folder / "why/s/sub").empty());  // nothing of an earlier run
+    CHECK(names_in(folder / "why/h/sub").size() == 1);
+    Noisy(4, 1.1f).write(folder / "new/sub/b.exr");
+
     fs::remove(folder / "new/a.exr");
     Noisy(6).write(folder / "new/d.exr");
     const Run uneven = run_program(folder, "diff golden new --report report.json");
