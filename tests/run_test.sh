@@ -161,7 +161,21 @@ if ((EUID == 0)); then
     check "the call succeeds without videos" test "$status" = 0
     : >"$work/calls"
     call morph
+    call turntable a.obj --out a_.png
     check "nothing else needs it" never called apt-get
+    echo ffmpeg >"$work/missing"
+    touch "$work/network"
+    call turntable a.obj --out a.mp4
+    check "but a turntable as a video does" called 'apt-get.* install --no-install-recommends ffmpeg$'
 fi
+
+new_machine
+stand_in cpack </dev/null
+DEBFULLNAME=Jo DEBEMAIL=jo@example.org call package
+check "a package names its builder" called 'cmake -DAUTOMORPH_MAINTAINER=Jo <jo@example.org> '
+check "and is packed" called cpack
+: >"$work/calls"
+call package
+check "an earlier builder is not named again" called 'cmake -UAUTOMORPH_MAINTAINER '
 
 exit $((failures > 0))

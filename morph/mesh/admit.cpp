@@ -119,8 +119,9 @@ void refuse_components(const Draft& draft, const std::string& name) {
                      [](const Part& x, const Part& y) { return x.area > y.area; });
     const double total = areas.sum();
     const auto describe = [&](const Part& part) {
-        return fmt::format("{} triangles from face {} on, {:.3g} % of the area", part.triangles,
-                           part.first_face, total > 0.0 ? 100.0 * part.area / total : 0.0);
+        return fmt::format("{} triangle{} from face {} on, {:.3g} % of the area", part.triangles,
+                           part.triangles == 1 ? "" : "s", part.first_face,
+                           total > 0.0 ? 100.0 * part.area / total : 0.0);
     };
     throw InvalidMesh(
         fmt::format("{}: {} separate parts (the largest: {}; the next: {}); a morph needs one: keep one of "

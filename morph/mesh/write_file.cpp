@@ -43,6 +43,32 @@ Leftover parse_aside(std::string_view text) {
     return result;
 }
 
+/// Pipes and devices are written as they are: to put a file in the place of /dev/null would break the
+/// machine.
+bool is_no_file(const fs::path& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+[[noreturn]] void fail(const fs::path& file, const std::string& reason) {
+    throw IoError(fmt::format("{}: cannot be written: {}", file.string(), reason));
+}
+
+/// @throws IoError about `file`
+void write_bytes(const fs::path& place, std::string_view bytes, const fs::path& file) {
+    errno = 0;
+    std::ofstream out(place, std::ios::binary | std::ios::trunc);
+    if (!out) {
+        fail(file,
+             fmt::format("{}{}", std::strerror(errno), errno == ENOENT ? "; does its folder exist?" : ""));
+    }
+    errno = 0;
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    if (!out) fail(file, errno != 0 ? std::strerror(errno) : "the disk may be full");
+}
+
 /// A process that is not ours may still write; one of ours has no file aside between two writes.
 bool writes_still(long process) {
     if (process == ::getpid()) return false;
@@ -58,30 +84,43 @@ fs::path name_aside(const fs::path& file) {
     return aside;
 }
 
-void write_file(const fs::path& file, std::string_view bytes) {
-    const UnbrokenWrite whole;
-    const fs::path aside = name_aside(file);
+fs::path behind_links(const fs::path& file) {
+    constexpr int kMostLinks = 40;  // as Linux follows
+    fs::path place = file;
     std::error_code error;
-    errno = 0;
-    std::ofstream out(aside, std::ios::binary | std::ios::trunc);
-    if (!out) {
-        throw IoError(fmt::format("{}: cannot be written: {}{}", file.string(), std::strerror(errno),
-                                  errno == ENOENT ? "; does its folder exist?" : ""));
+    for (int i = 0; i < kMostLinks && fs::is_symlink(place, error); ++i)
+        place = place.parent_path() / fs::read_symlink(place, error);
+    if (fs::is_symlink(place, error)) fail(file, "its symbolic links go round in a circle");
+    return place;
+}
+
+void put_in_place(const fs::path& aside, const fs::path& place) {
+    std::error_code error;
+    const fs::file_status old = fs::status(place, error);
+    if (fs::is_regular_file(old)) {
+        // A rename asks the folder only.
+        if (::access(place.c_str(), W_OK) != 0) fail(place, std::strerror(errno));
+        fs::permissions(aside, old.permissions(), error);
+        if (error) fail(place, error.message());
     }
-    errno = 0;
-    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    out.close();
-    if (!out) {
-        const int reason = errno;
-        fs::remove(aside, error);
-        throw IoError(fmt::format("{}: cannot be written: {}", file.string(),
-                                  reason != 0 ? std::strerror(reason) : "the disk may be full"));
+    fs::rename(aside, place, error);
+    if (error) fail(place, error.message());
+}
+
+void write_file(const fs::path& file, std::string_view bytes) {
+    if (is_no_file(file)) {
+        write_bytes(file, bytes, file);
+        return;
     }
-    fs::rename(aside, file, error);
-    if (error) {
-        const std::string reason = error.message();
-        fs::remove(aside, error);
-        throw IoError(fmt::format("{}: cannot be written: {}", file.string(), reason));
+    const UnbrokenWrite whole;
+    const fs::path place = behind_links(file), aside = name_aside(place);
+    try {
+        write_bytes(aside, bytes, file);
+        put_in_place(aside, place);
+    } catch (const IoError&) {
+        std::error_code ignored;
+        fs::remove(aside, ignored);
+        throw;
     }
 }
 

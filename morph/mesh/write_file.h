@@ -8,10 +8,19 @@
 namespace automorph {
 
 /// Writes a file aside, in the same folder, and renames it, so that a reader never sees half of it. A request
-/// to stop (write_gate.h) waits until the file is whole.
+/// to stop (write_gate.h) waits until the file is whole. A symbolic link stays one: the file that it names is
+/// written. Pipes and devices (/dev/stdout) are written directly.
 /// @throws IoError naming the file and the system's reason; nothing is left behind, and an existing file
 ///         stays as it was
 void write_file(const std::filesystem::path& file, std::string_view bytes);
+
+/// The file that writing `file` makes or replaces: where symbolic links lead, which need not exist.
+/// @throws IoError if they lead nowhere
+std::filesystem::path behind_links(const std::filesystem::path& file);
+
+/// Gives a finished file aside its name. A file that it replaces hands on its permissions.
+/// @throws IoError  where there is a folder, or a file that is write-protected
+void put_in_place(const std::filesystem::path& aside, const std::filesystem::path& place);
 
 /// Makes the folder and those above it; an empty path is the working directory.
 /// @throws IoError naming the folder and the system's reason, also where files cannot be made in it

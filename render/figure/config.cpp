@@ -5,6 +5,7 @@
 
 #include <iostream>
 #include <iterator>
+#include <sstream>
 
 #include "render/figure/config_keys.h"
 
@@ -18,6 +19,18 @@ std::string range_text(const ConfigKey& key) {
     if (below && above) return fmt::format(" from {} to {}", *key.least, *key.most);
     if (below) return fmt::format(" of at least {}", *key.least);
     if (above) return fmt::format(" of at most {}", *key.most);
+    return "";
+}
+
+/// yaml-cpp does not say that a tab is to blame.
+std::string about_tabs(const std::string& text) {
+    std::istringstream lines(text);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        const std::size_t begin = line.find_first_not_of(' ');
+        if (begin != line.npos && line[begin] == '\t')
+            return fmt::format("; line {} is indented by a tab, YAML takes spaces only", number);
+    }
     return "";
 }
 
@@ -43,7 +56,7 @@ FigureConfig parse_config(const std::string& text, const std::filesystem::path& 
         config::read_section(figure, top, config::figure_section(), place);
     } catch (const YAML::Exception& error) {
         // Syntax errors, and whatever else yaml-cpp objects to.
-        place.fail(error.mark, error.msg);
+        place.fail(error.mark, error.msg + about_tabs(text));
     }
     return figure;
 }

@@ -4,7 +4,9 @@
 #include <yaml-cpp/eventhandler.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -196,11 +198,14 @@ fs::path Sources::folder_of(const YAML::Mark& mark) const {
 }
 
 std::string read_config_text(const fs::path& file) {
+    const auto fail = [&](const std::string& reason) {
+        throw IoError(fmt::format("{}: this config cannot be read: {}", file.string(), reason));
+    };
     std::error_code ignored;
+    if (fs::is_directory(file, ignored)) fail("it is a folder");
+    errno = 0;
     std::ifstream stream(file, std::ios::binary);
-    if (!stream || fs::is_directory(file, ignored)) {
-        throw IoError(fmt::format("{}: cannot read this config; is the path right?", file.string()));
-    }
+    if (!stream) fail(std::strerror(errno));
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
@@ -242,10 +247,9 @@ void apply_override(Sources& sources, const YAML::Node& top, const std::string& 
         } else {
             if (!node.IsMap()) fail(fmt::format("{} is no mapping here", way.empty() ? "the config" : way));
             const bool exists = static_cast<bool>(std::as_const(node)[step]);
-            if (!exists) {
+            if (last || !exists) {
+                node.remove(step);  // name and all: errors about it tell of the override, not of the file
                 node[parsed(step)] = parsed(last ? text.substr(equals + 1) : "{}");
-            } else if (last) {
-                node[step] = parsed(text.substr(equals + 1));
             }
             node.reset(YAML::Node(node[step]));
         }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "render/figure/legend.h"
 #include "render/figure/page_files.h"
 #include "render/image/image_file.h"
 
@@ -66,6 +67,15 @@ Json pictures_json(const std::vector<FigureCell>& cells) {
     return pictures;
 }
 
+/// Drawn twice as large as it is shown, for sharp screens.
+Json legend_json(const ColorScale& scale) {
+    constexpr int kBar = 480, kText = 26;
+    const Image image = make_legend(scale, kBar, kText);
+    return {{"meaning", scale.meaning},   {"low", scale.low},
+            {"high", scale.high},         {"width", image.width / 2},
+            {"height", image.height / 2}, {"image", render::jpeg_data_uri(image, kQuality)}};
+}
+
 /// The metrics, with the pictures.
 Json page_data(const FigureConfig& config, const Figure& figure) {
     Json data = Json::parse(metrics_json(config, figure));
@@ -81,6 +91,7 @@ Json page_data(const FigureConfig& config, const Figure& figure) {
         data["morphs"][i]["map_pictures"] = pictures_json(figure.panels[i].maps);
         data["morphs"][i]["feature_pictures"] = pictures_json(figure.panels[i].features);
     }
+    if (figure.scale) data["legend"] = legend_json(*figure.scale);
     data["no_videos"] = figure.no_videos;
     return data;
 }

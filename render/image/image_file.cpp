@@ -72,6 +72,13 @@ std::vector<int> picture_channels(const PictureHeader& header) {
     return {0};
 }
 
+bool has_layers(const PictureHeader& header, const std::vector<std::vector<std::string>>& layers) {
+    return std::all_of(layers.begin(), layers.end(), [&](const std::vector<std::string>& names) {
+        return std::all_of(names.begin(), names.end(),
+                           [&](const std::string& name) { return channel_index(header, name) >= 0; });
+    });
+}
+
 template <class T, class Convert>
 Image read_pixels(const fs::path& file, const PictureHeader& header, const std::vector<int>& channels,
                   Type type, const Convert& convert) {
@@ -214,13 +221,15 @@ Image read_channels(const fs::path& file, const std::vector<std::string>& names)
 }
 
 std::optional<std::vector<Image>> read_layers(const fs::path& file,
-                                              const std::vector<std::vector<std::string>>& layers) {
+                                              std::vector<std::vector<std::string>> layers,
+                                              const std::vector<std::vector<std::string>>& wanted) {
     const PictureHeader header = header_of(file);
+    if (!has_layers(header, layers)) return {};
+    if (has_layers(header, wanted)) layers.insert(layers.end(), wanted.begin(), wanted.end());
     std::vector<int> channels;
     for (const std::vector<std::string>& names : layers) {
         for (const std::string& name : names) channels.push_back(channel_index(header, name));
     }
-    if (std::any_of(channels.begin(), channels.end(), [](int channel) { return channel < 0; })) return {};
     const Image all = read_floats(file, header, channels);
     std::vector<Image> images;
     std::size_t first = 0;

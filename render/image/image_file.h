@@ -68,10 +68,11 @@ std::vector<std::string> channel_names(const std::filesystem::path& file);
 Image read_channels(const std::filesystem::path& file, const std::vector<std::string>& names);
 
 /// Several groups of channels, each as a picture, from one reading of the file; empty if one of them is
-/// missing.
+/// missing. Those `wanted` follow if the file has all of them.
 /// @throws IoError if the file is missing or not a picture
 std::optional<std::vector<Image>> read_layers(const std::filesystem::path& file,
-                                              const std::vector<std::vector<std::string>>& layers);
+                                              std::vector<std::vector<std::string>> layers,
+                                              const std::vector<std::vector<std::string>>& wanted = {});
 
 /// A linear value as 8-bit sRGB: clamped to [0, 1], curve of IEC 61966-2-1, rounded to nearest; NaN is 0.
 std::uint8_t to_srgb8(float linear);

@@ -53,6 +53,11 @@ constexpr const char* kFigureExamples = R"(Examples:
   automorph figure configs/*.yaml --out results               results/fig7, results/heads, ...
 'automorph config --explain' lists the keys of a config.)";
 
+constexpr const char* kConfigExamples = R"(Examples:
+  automorph config --explain | less
+  automorph config my.yaml                     checks it and makes nothing
+  automorph config --schema > schema.json      for editors: '# yaml-language-server: $schema=schema.json' in my.yaml)";
+
 constexpr std::array kUpAxes{Named<UpAxis>{"z", UpAxis::Z}, Named<UpAxis>{"y", UpAxis::Y}};
 
 constexpr std::array kLogLevels{
@@ -238,6 +243,7 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
     config_command->add_flag("--schema", config.schema, "Print a JSON Schema of configs, for editors");
     config_command->add_option("CONFIG", config.checked, "YAML files to check; - is standard input")
         ->type_name("YAML");
+    config_command->footer(kConfigExamples);
 
     add_diff(app, diff);
     TextArguments texts;

@@ -13,6 +13,7 @@
 #include "render/program/commands.h"
 #include "render/program/diff_report.h"
 #include "render/program/frame_files.h"
+#include "render/program/outputs.h"
 #include "render/program/picture_diff.h"
 
 namespace automorph::program {
@@ -33,11 +34,17 @@ std::string one_line(std::string text) {
     return text;
 }
 
-bool is_picture(const fs::path& file) {
+/// The extension in lower case.
+std::string kind_of(const fs::path& file) {
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".exr" || extension == ".png";
+    return extension;
+}
+
+bool is_picture(const fs::path& file) {
+    const std::string kind = kind_of(file);
+    return kind == ".exr" || kind == ".png";
 }
 
 /// Paths of the pictures in a folder and below, relative to it; not those that are hidden by a dot.
@@ -119,17 +126,31 @@ void write_pictures(const std::vector<Pair>& pairs, const std::vector<PictureDif
         return asked.empty() || !folders ? asked : asked / (name + ".png");
     };
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (diffs[i].status == DiffStatus::CannotCompare || (folders && diffs[i].status == DiffStatus::Same))
+        const fs::path heatmap = file_in(arguments.heatmap, pairs[i].name),
+                       side_by_side = file_in(arguments.side_by_side, pairs[i].name);
+        if (diffs[i].status == DiffStatus::CannotCompare ||
+            (folders && diffs[i].status == DiffStatus::Same)) {
+            // Those of an earlier run would seem to be of this one.
+            for (const fs::path& file : {heatmap, side_by_side}) {
+                std::error_code ignored;
+                if (fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
+            }
             continue;
-        write_diff_pictures(diffs[i], pairs[i].golden, pairs[i].found,
-                            file_in(arguments.heatmap, pairs[i].name),
-                            file_in(arguments.side_by_side, pairs[i].name));
+        }
+        write_diff_pictures(diffs[i], pairs[i].golden, pairs[i].found, heatmap, side_by_side);
     }
 }
 
 void copy_over(const fs::path& from, const fs::path& to) {
     make_folder(to.parent_path());
     write_file(to, file_content(from));
+}
+
+/// A golden is a copy of a new picture, so its name has to tell what is in it.
+void check_kinds(const DiffArguments& arguments) {
+    if (is_folder(arguments.found) || kind_of(arguments.golden) == kind_of(arguments.found)) return;
+    throw IoError(fmt::format("{}: cannot be copied over {}: --accept takes files of the same kind",
+                              arguments.found.string(), arguments.golden.string()));
 }
 
 bool is_to_be_copied(const Pair& pair, const PictureDiff& diff) {
@@ -160,6 +181,9 @@ void accept(const std::vector<Pair>& pairs, const std::vector<PictureDiff>& diff
 
 DiffStatus diff(const DiffArguments& arguments, bool quiet) {
     const std::vector<Pair> pairs = pairs_of(arguments);
+    if (arguments.accept) check_kinds(arguments);
+    check_outputs({arguments.heatmap, arguments.side_by_side, arguments.report},
+                  {arguments.golden, arguments.found});
     const auto compared = static_cast<double>(
         std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.has_golden && p.has_found; }));
     const double rate = arguments.statistical.false_alarm_rate / std::max(1.0, compared);

@@ -50,18 +50,26 @@ std::string place_text(const TestResult& test, const std::vector<std::string>& c
                        channel_name(test, channels));
 }
 
-/// "+2.1 %", or in radiance where the golden is black.
+/// "+2.1 %", or in radiance where the golden is black; "0.5 to nan" where no number tells the change.
 std::string change_text(const TestResult& test) {
     const double change = test.found - test.golden;
+    if (!std::isfinite(change)) return fmt::format("{:.3g} to {:.3g}", test.golden, test.found);
     if (std::abs(change) <= 1e-3 * std::abs(test.golden)) return fmt::format("{:+.2g}", change);
     if (!(std::abs(change) < 10.0 * std::abs(test.golden))) return fmt::format("{:+.3g}", change);
     return fmt::format("{:+.1f} %", 100.0 * change / test.golden);
 }
 
+/// Counts in full, measures to four digits.
+std::string value_text(double value) {
+    const bool is_count = std::abs(value) < 1e9 && std::floor(value) == value;
+    return is_count ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
+}
+
 /// "blocks 8 x 8 at x 16-23, y 40-47, blue: 12.3, limit 5.1, +10.1 %"
 std::string finding_text(const PictureDiff& diff) {
     const TestResult& test = diff.comparison.worst();
-    const std::string text = fmt::format("{} {:.4g} (limit {:.4g})", test.name, test.value, test.limit);
+    const std::string text =
+        fmt::format("{} {} (limit {})", test.name, value_text(test.value), value_text(test.limit));
     if (test.where.width == 0) return text;
     return fmt::format("{} at {}: {}", text, place_text(test, diff.channels), change_text(test));
 }
@@ -78,9 +86,10 @@ std::string tests_table(const PictureDiff& diff) {
                                    diff.mode == DiffMode::Statistical ? "by noise" : "");
     for (const TestResult& test : diff.comparison.tests) {
         const std::string chance = test.chance ? fmt::format("{:.2g}", *test.chance) : "";
-        text += fmt::format("{:<20} {:>10.4g} {:>10.4g}  {:<32} {:>10.4g} {:>10.4g}  {:<10}{}{}\n", test.name,
-                            test.value, test.limit, place_text(test, diff.channels), test.golden, test.found,
-                            change_text(test), chance, test.passed() ? "" : "  DIFFERENT");
+        text += fmt::format("{:<20} {:>10} {:>10}  {:<32} {:>10.4g} {:>10.4g}  {:<10}{}{}\n", test.name,
+                            value_text(test.value), value_text(test.limit), place_text(test, diff.channels),
+                            test.golden, test.found, change_text(test), chance,
+                            test.passed() ? "" : "  DIFFERENT");
     }
     if (diff.sensitivity) {
         text += fmt::format(

@@ -4,22 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "morph/shapes/shapes.h"
 #include "render/figure/clips.h"
-#include "render/figure/mesh_source.h"
-#include "render/figure/subject.h"
+#include "render/program/figure_estimate.h"
 #include "render/video/video_encoder.h"
 
 namespace automorph::program {
 namespace {
-
-/// Rows, columns and frames that will be made.
-struct Counts {
-    std::size_t rows = 0, columns = 0;
-    int stills = 0;     ///< frames rendered per row's video; the way back shows them again
-    int turntable = 0;  ///< frames
-};
 
 std::size_t selected(const Selection& selection, std::size_t count) {
     std::size_t number = 0;
@@ -27,8 +19,8 @@ std::size_t selected(const Selection& selection, std::size_t count) {
     return number;
 }
 
-Counts counts_of(const FigureConfig& config, const FigureOptions& options) {
-    Counts counts;
+PictureCounts counts_of(const FigureConfig& config, const FigureOptions& options) {
+    PictureCounts counts;
     const bool morphs = config.show == Show::Morph;
     const FigureGrid grid = figure_grid(config);
     check_selections(config, options);
@@ -48,64 +40,33 @@ Counts counts_of(const FigureConfig& config, const FigureOptions& options) {
     return counts;
 }
 
-/// Paths per second on this machine: an ellipsoid in the figure's light, for a fraction of a second.
-double paths_per_second(const FigureConfig& config, const FigureOptions& options) {
-    constexpr int kSize = 128, kSpp = 16;
-    ShapeOptions shape;
-    shape.triangles = 20000;
-    const Mesh mesh = ellipsoid({1, 0.8, 0.6}, shape);
-    FigureOptions quiet = options;
-    quiet.progress = {};
-    const Shooting shooting = shooting_of(config.picture, quiet, {kSize, kSize, kSpp}, {&mesh.V});
-    Subject subject(shooting, mesh.V, mesh.F);
-    const FigureCell cell = subject.shoot(mesh.V, {});
-    return kSize * kSize * kSpp / std::max(cell.seconds, 1e-3);
-}
-
-/// Seconds per thousand triangles of both shapes, on one core of 2020; a rule of thumb.
-double morph_seconds(const RowConfig& row, double thousands) {
-    switch (row.alignment) {
-        case Alignment::None:
-            return 0.01 * thousands;
-        case Alignment::Registration:
-        case Alignment::Features:
-            return 2.0 + 0.03 * thousands;
-        case Alignment::Dense:
-            return 3.0 + 0.3 * thousands;
-    }
-    return 0;
-}
-
-/// Of a shape as asked for, of a file as it is.
-double triangle_count(const MeshConfig& mesh, const std::string& name) {
-    return mesh.file.empty() ? mesh.triangles : make_mesh(mesh, name).mesh.triangle_count();
-}
-
 std::string duration(double seconds) {
     if (seconds < 90) return fmt::format("{:.0f} s", std::max(1.0, seconds));
     return fmt::format("{:.0f} min", seconds / 60);
+}
+
+/// "2 min (meshes 5 s, pictures 77 s)", without what takes no time.
+std::string estimate_text(const Estimate& estimate) {
+    std::string parts;
+    for (const auto& [name, seconds] : {std::pair{"meshes", estimate.meshes},
+                                        {"morphs", estimate.morphs},
+                                        {"checks and maps", estimate.checks},
+                                        {"pictures", estimate.pictures},
+                                        {"videos", estimate.videos}}) {
+        if (seconds > 0) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name, duration(seconds));
+    }
+    return fmt::format("{} ({})", duration(estimate.whole()), parts);
 }
 
 }  // namespace
 
 std::string figure_plan(const FigureConfig& config, const FigureOptions& options,
                         const std::filesystem::path& folder) {
-    const Counts counts = counts_of(config, options);
+    const PictureCounts counts = counts_of(config, options);
     const double width = std::round(config.picture.width * options.scale),
                  height = std::round(config.picture.height * options.scale);
     const int spp = options.spp.value_or(config.picture.spp);
     const VideoSize video = video_size(config);
-    const double rate = paths_per_second(config, options);
-    const double cells = width * height * spp * static_cast<double>(counts.rows * counts.columns) / rate;
-    // Adaptive sampling spares about half of a video's paths.
-    constexpr double kTaken = 0.5;
-    const int frames = counts.stills * static_cast<int>(counts.rows) + counts.turntable;
-    const double films = kTaken * video.width * video.height * config.video.spp * frames / rate;
-    double thousands = triangle_count(config.source, "source") / 1000;
-    if (!config.rows.empty()) thousands += triangle_count(config.target, "target") / 1000;
-    double morphs = 0;
-    for (const RowConfig& row : config.rows) morphs += morph_seconds(row, thousands);
-
     std::string text = fmt::format("{}: would make in {}\n", config.file.string(), folder.string());
     text += fmt::format("  {} x {} cells of {} x {} pixels, {} paths each: EXR, PNG, sheet.png\n",
                         counts.rows, counts.columns, width, height, spp);
@@ -119,8 +80,7 @@ std::string figure_plan(const FigureConfig& config, const FigureOptions& options
     if (config.show == Show::Morph && !has_ffmpeg())
         text += "  no video files: the program ffmpeg is not installed (Debian package ffmpeg)\n";
     text += "  index.html, metrics.json\n";
-    text += fmt::format("  estimate: {} (morphs {}, pictures {}, videos {})\n",
-                        duration(morphs + cells + films), duration(morphs), duration(cells), duration(films));
+    text += "  estimate: " + estimate_text(estimate(config, options, counts)) + "\n";
     return text;
 }
 

@@ -126,7 +126,8 @@ triangle uses or whose triangles were dropped as stray has nan,nan,nan.
 
 --report r.json has all that was found, used and measured.
 
-Every file is written aside and renamed: none is ever half there.
+Folders that are missing are made. Every file is written aside and renamed:
+none is ever half there.
 )"};
 
 constexpr HelpTopic kSummary{"summary", "What the lines that 'automorph morph' prints mean",
@@ -167,7 +168,8 @@ uses are left out by Blender.
 
 Debian's Blender reads glTF files with the package python3-numpy only.
 Debian 12's Blender 3.4 stops with "module 'numpy' has no attribute 'bool'" on
-any glTF file with normals. In the import dialog, set Shading to Smooth Shading.
+any glTF file with normals. In the import dialog, set Shading to Smooth Shading;
+in a script, import_scene.gltf(filepath=..., import_shading='SMOOTH').
 
 three.js: GLTFLoader, then an AnimationMixer plays gltf.animations[0].
 

@@ -13,6 +13,7 @@ namespace automorph::program {
 namespace {
 
 void write_shape(const std::filesystem::path& file, const Mesh& mesh, const Surroundings& surroundings) {
+    if (is_mesh_file(file)) make_folder(file.parent_path());
     write_mesh(file, mesh);
     if (surroundings.quiet) return;
     fmt::print("{}: {} vertices, {} triangles\n", file.string(), mesh.vertex_count(), mesh.triangle_count());

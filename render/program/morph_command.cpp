@@ -13,6 +13,7 @@
 #include "morph/morph.h"
 #include "render/program/commands.h"
 #include "render/program/frame_files.h"
+#include "render/program/outputs.h"
 #include "render/program/summary.h"
 
 namespace automorph::program {
@@ -23,6 +24,20 @@ bool is_folder(const std::filesystem::path& file) {
     return std::filesystem::is_directory(file, error);
 }
 
+/// Of the numbered frames only those that could be one of the inputs.
+std::vector<std::filesystem::path> written_files(const MorphArguments& arguments) {
+    std::vector<std::filesystem::path> files{arguments.correspondence, arguments.report};
+    if (is_glb_file(arguments.out)) files.push_back(arguments.out);
+    if (!is_mesh_file(arguments.out)) return files;
+    for (int i = 0; i < arguments.frames; ++i) {
+        const std::filesystem::path frame = numbered(arguments.out, i, arguments.frames);
+        if (frame.filename() == arguments.source.filename() ||
+            frame.filename() == arguments.target.filename())
+            files.push_back(frame);
+    }
+    return files;
+}
+
 /// What can be refused is refused before the work.
 void prepare_outputs(const MorphArguments& arguments) {
     if (!arguments.out.empty() && !is_folder(arguments.out) && !is_mesh_file(arguments.out) &&
@@ -31,6 +46,7 @@ void prepare_outputs(const MorphArguments& arguments) {
             "{}: a morph is written as .glb (one animated file), or as numbered .off, .obj, .ply or .stl",
             arguments.out.string()));
     }
+    check_outputs(written_files(arguments), {arguments.source, arguments.target});
     for (const auto& file : {arguments.out, arguments.correspondence, arguments.report}) {
         if (is_folder(file))
             throw IoError(fmt::format("{}: is a folder; give the name of a file", file.string()));

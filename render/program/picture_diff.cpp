@@ -35,22 +35,20 @@ bool has_noise_layers(const fs::path& file) {
 }
 
 NoisyImage read_noisy(const fs::path& file) {
-    const std::vector<std::vector<std::string>> needed{{"R", "G", "B"}, kVariance, kSamples};
-    std::vector<std::vector<std::string>> all = needed;
-    all.insert(all.end(), kSurfaces.begin(), kSurfaces.end());
-    std::optional<std::vector<Image>> layers = render::read_layers(file, all);
-    if (layers) {
-        return {std::move((*layers)[0]), std::move((*layers)[1]), std::move((*layers)[2]),
-                render::Surfaces{std::move((*layers)[3]), std::move((*layers)[4]), std::move((*layers)[5])}};
-    }
-    layers = render::read_layers(file, needed);
+    std::optional<std::vector<Image>> layers =
+        render::read_layers(file, {{"R", "G", "B"}, kVariance, kSamples}, kSurfaces);
     if (!layers) {
         throw IoError(
             fmt::format("{}: there are no layers 'variance' and 'samples', without which noise cannot be "
                         "told from change; render it with --layers, or take --mode same-seed",
                         file.string()));
     }
-    return {std::move((*layers)[0]), std::move((*layers)[1]), std::move((*layers)[2])};
+    NoisyImage picture{std::move((*layers)[0]), std::move((*layers)[1]), std::move((*layers)[2])};
+    if (layers->size() > 3) {
+        picture.surfaces =
+            render::Surfaces{std::move((*layers)[3]), std::move((*layers)[4]), std::move((*layers)[5])};
+    }
+    return picture;
 }
 
 std::string joined(const std::vector<std::string>& names) {

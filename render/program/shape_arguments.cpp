@@ -5,8 +5,16 @@
 namespace automorph::program {
 namespace {
 
+constexpr const char* kShapeExamples = R"(Examples:
+  automorph shape ellipsoid egg.ply --semi-axes 1 0.8 0.6
+  automorph shape star meshes/star.off --arms 6
+  automorph shape head face.ply --preset asian --crop face --triangles 20000 --nose-length 1.1)";
+
 void add_shape_options(CLI::App& command, std::filesystem::path& out, ShapeOptions& options) {
-    command.add_option("--out,OUT", out, "Mesh file to write")->type_name("FILE")->required();
+    command.add_option("--out,OUT", out, ".ply, .obj, .off or .stl; folders that are missing are made")
+        ->type_name("FILE")
+        ->required();
+    command.footer(kShapeExamples);
     command.add_option("--triangles", options.triangles, "How many, about")
         ->check(CLI::Range(64, 10'000'000))
         ->capture_default_str();
@@ -38,6 +46,7 @@ void add_head(CLI::App& shapes, HeadArguments& head) {
 void add_shape(CLI::App& app, EllipsoidArguments& round, StarArguments& star, HeadArguments& head) {
     CLI::App* command = app.add_subcommand("shape", "Generates a shape");
     command->require_subcommand(1);
+    command->footer(kShapeExamples);
     const CLI::Range positive(1e-9, 1e12);
 
     CLI::App* ellipsoid = command->add_subcommand("ellipsoid", "An ellipsoid");

@@ -1,8 +1,10 @@
 #include "render/program/text_commands.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 
 #include "render/figure/suggestion.h"
@@ -25,6 +27,22 @@ Completion completion_of(const std::string& shell) {
     return nullptr;
 }
 
+/// Prints the help of a command given by its words ("shape", "head"); false if there is none.
+bool print_command_help(const CLI::App& app, const std::vector<std::string>& words) {
+    const CLI::App* command = &app;
+    std::string path;
+    for (const std::string& word : words) {
+        path += (path.empty() ? "" : " ") + command->get_name();
+        const std::vector<const CLI::App*> below = every_command(*command);
+        const auto found = std::find_if(below.begin(), below.end(),
+                                        [&](const CLI::App* each) { return each->get_name() == word; });
+        if (found == below.end()) return false;
+        command = *found;
+    }
+    fmt::print("{}", command->help(path));
+    return true;
+}
+
 int print_help(const CLI::App& app, const TextArguments& arguments) {
     if (arguments.man) {
         fmt::print("{}", man_page(command_tree(app), version()));
@@ -34,23 +52,19 @@ int print_help(const CLI::App& app, const TextArguments& arguments) {
         fmt::print("{}", list_of_topics());
         return 0;
     }
+    const std::string topic_name = fmt::format("{}", fmt::join(arguments.topic, " "));
     for (const HelpTopic& topic : help_topics()) {
-        if (arguments.topic == topic.name) {
+        if (topic_name == topic.name) {
             fmt::print("{}\n\n{}", topic.title, topic.text);
             return 0;
         }
     }
-    for (const CLI::App* command : every_command(app)) {
-        if (arguments.topic == command->get_name()) {
-            fmt::print("{}", command->help("automorph"));
-            return 0;
-        }
-    }
+    if (print_command_help(app, arguments.topic)) return 0;
     std::vector<std::string> known;
     for (const HelpTopic& topic : help_topics()) known.emplace_back(topic.name);
     for (const CLI::App* command : every_command(app)) known.push_back(command->get_name());
     fmt::print(stderr, "automorph: there is no help on '{}'{} ('automorph help' lists what there is)\n",
-               arguments.topic, suggestion(arguments.topic, known));
+               topic_name, suggestion(topic_name, known));
     return 1;
 }
 
@@ -70,6 +84,10 @@ void add_texts(CLI::App& app, TextArguments& arguments) {
         app.add_subcommand("help", "Tells more about a topic or a command, and lists the topics");
     help->add_option("TOPIC", arguments.topic, "Topic or command")->type_name(topics);
     help->add_flag("--man", arguments.man, "Print all as a manual page: automorph help --man | man -l -");
+    help->footer(
+        "Examples:\n"
+        "  automorph help getting-started\n"
+        "  automorph help shape head            the same as 'automorph shape head --help'");
 
     CLI::App* completion =
         app.add_subcommand("completion", "Prints a script that completes the command line");

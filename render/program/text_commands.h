@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -11,7 +12,7 @@ class App;
 namespace automorph::program {
 
 struct TextArguments {
-    std::string topic;
+    std::vector<std::string> topic;  ///< a topic's name, or the words of a command
     bool man = false;
     std::string shell;
 };

@@ -93,10 +93,10 @@ void remove_turntable_leftovers(const turntable::Sequence& sequence, const fs::p
     remove_leftovers(sequence.files.front().parent_path(),
                      [&](const std::string& name) { return names.count(name) > 0; });
     if (video.empty()) return;
-    const std::string own = video.filename().string(), record = own + ".txt",
-                      log = video.stem().string() + ".log";
-    remove_leftovers(video.parent_path(),
-                     [&](const std::string& name) { return name == own || name == log; });
+    const fs::path place = behind_links(video);
+    const std::string record = video.filename().string() + ".txt", log = video.stem().string() + ".log";
+    remove_leftovers(place.parent_path(), [&](const std::string& name) { return name == place.filename(); });
+    remove_leftovers(video.parent_path(), [&](const std::string& name) { return name == log; });
     remove_leftovers(sequence.files.front().parent_path(),
                      [&](const std::string& name) { return name == record; });
 }

@@ -92,7 +92,10 @@ VideoEncoder::VideoEncoder(const std::vector<fs::path>& files, int width, int he
                            double frames_per_second)
     : width_(width), height_(height) {
     assert(!files.empty());
-    for (const fs::path& file : files) parts_.push_back({file, name_aside(file)});
+    for (const fs::path& file : files) {
+        const fs::path place = behind_links(file);
+        parts_.push_back({place, name_aside(place)});
+    }
     log_ = name_aside(fs::path(files.front()).replace_extension(".log"));
     std::vector<std::string> words = arguments_of(parts_, width, height, frames_per_second);
     std::vector<char*> pointers;
@@ -141,12 +144,7 @@ void VideoEncoder::finish() {
     if (wait() != 0) fail();
     const UnbrokenWrite whole;
     ::unlink(log_.c_str());
-    for (const VideoFile& part : parts_) {
-        std::error_code error;
-        fs::rename(part.aside, part.file, error);
-        if (error)
-            throw IoError(fmt::format("{}: cannot be written: {}", part.file.string(), error.message()));
-    }
+    for (const VideoFile& part : parts_) put_in_place(part.aside, part.file);
 }
 
 /// Ends the input and waits; the exit status, 0 once it has been waited for.

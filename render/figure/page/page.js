@@ -40,6 +40,13 @@
       }
       sheet.append(element("div", { class: "strip" }, element("span", {}, row.label), cells));
     }
+    if (data.legend) {
+      const { image, width, height, meaning, low, high } = data.legend;
+      const alt = `colours from ${short(low)} to ${short(high)}: ${meaning}`;
+      const bar = element("img", { class: "legend", src: image, width, height, alt });
+      bar.style.width = `${width}px`;
+      sheet.append(bar);
+    }
     byId("figure").append(sheet);
   }
 
@@ -187,6 +194,10 @@
       for (const file of video.files) player.append(element("source", { src: file, type: types[file.split(".").pop()] }));
       const links = element("p", { class: "quiet" });
       for (const file of video.files) links.append(element("a", { href: file }, file), " ");
+      player.lastChild.addEventListener("error", () => {
+        player.hidden = true;
+        links.prepend("Cannot be played here; the files lie beside the page where it was made: ");
+      });
       byId("films").append(element("div", { class: "card" }, element("h3", {}, label), player, links));
     }
     if (data.no_videos) byId("films").append(element("p", { class: "quiet" }, "No videos: " + data.no_videos + "."));

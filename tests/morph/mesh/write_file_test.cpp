@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -61,6 +62,68 @@ TEST_CASE("a file is replaced as a whole, and a failure leaves the old one and n
     CHECK(status == 7);
     CHECK(content(folder / "a") == "two");
     CHECK(names_in(folder.path()) == std::set<std::string>{"a", "d"});
+}
+
+TEST_CASE("a symbolic link stays one, and the file that it names is written") {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "store");
+    write_file(folder / "store/a", "one");
+    fs::create_symlink("store/a", folder / "link");
+    fs::create_symlink("link", folder / "link-to-link");
+    fs::create_symlink(folder / "store/b", folder / "to-come");
+    fs::create_directory_symlink("store", folder / "folder");
+    write_file(folder / "link-to-link", "two");
+    write_file(folder / "to-come", "three");
+    write_file(folder / "folder/c", "four");
+    CHECK(fs::is_symlink(folder / "link"));
+    CHECK(fs::is_symlink(folder / "link-to-link"));
+    CHECK(fs::is_symlink(folder / "to-come"));
+    CHECK(content(folder / "store/a") == "two");
+    CHECK(content(folder / "store/b") == "three");
+    CHECK(names_in(folder / "store") == std::set<std::string>{"a", "b", "c"});
+
+    fs::create_symlink("circle", folder / "circle");
+    fs::create_symlink("gone/d", folder / "nowhere");
+    CHECK_THROWS_AS(write_file(folder / "circle", "five"), IoError);
+    CHECK_THROWS_AS(write_file(folder / "nowhere", "five"), IoError);
+}
+
+TEST_CASE("a file that is replaced keeps its permissions, and one that is write-protected its content") {
+    const TemporaryFolder folder;
+    write_file(folder / "mine", "one");
+    fs::permissions(folder / "mine", fs::perms::owner_read | fs::perms::owner_write);
+    write_file(folder / "mine", "two");
+    CHECK(content(folder / "mine") == "two");
+    CHECK(fs::status(folder / "mine").permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+
+    write_file(folder / "kept", "one");
+    fs::permissions(folder / "kept", fs::perms::owner_read | fs::perms::others_read);
+    fs::permissions(folder.path(), fs::perms::all);
+    const int status = status_of([&] {
+        constexpr uid_t kNobody = 65534;  // nothing is protected from root
+        if (::geteuid() == 0 && ::setuid(kNobody) != 0) ::_exit(98);
+        try {
+            write_file(folder / "kept", "two");
+        } catch (const IoError&) {
+            ::_exit(7);
+        }
+    });
+    CHECK(status == 7);
+    CHECK(content(folder / "kept") == "one");
+    CHECK(names_in(folder.path()) == std::set<std::string>{"mine", "kept"});
+}
+
+TEST_CASE("a device is written and stays one") {
+    const TemporaryFolder folder;
+    write_file("/dev/null", "nothing");
+    CHECK(fs::is_character_file("/dev/null"));
+    REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+    std::string read;
+    std::thread reader([&] { read = content(folder / "pipe"); });
+    write_file(folder / "pipe", "all of it");
+    reader.join();
+    CHECK(read == "all of it");
+    CHECK(names_in(folder.path()) == std::set<std::string>{"pipe"});
 }
 
 TEST_CASE("what killed processes left aside is removed, and nothing else") {

@@ -160,6 +160,18 @@ TEST_CASE("keys are set from the command line by their paths, checked by the sam
     }
 }
 
+TEST_CASE("an error about a key that the command line set anew tells of the command line") {
+    const std::string override = "picture.view=[0, 0, 0]";
+    std::string message;
+    try {
+        parse_config(kShortConfig + std::string("picture: {view: [0, 1, 0], spp: 4}\n"), "a.yaml",
+                     {override});
+    } catch (const ConfigError& error) {
+        message = error.what();
+    }
+    CHECK(message == "--set " + override + ": picture.view: found a vector of length 0");
+}
+
 TEST_CASE("the hash of a config changes with its text, what it extends and what is set") {
     const FigureConfig plain = parse_config(kShortConfig, "a.yaml");
     CHECK(config_hash(plain).size() == 24);

@@ -220,6 +220,11 @@ TEST_CASE("a value outside its range or choice is refused with what is allowed")
     check_error("source: {shape: ellipsoid, semi_axes: [1, 0, 1]}\n", "1:43", {"semi_axes[1]: found '0'"});
 }
 
+TEST_CASE("a tab is named where it is to blame") {
+    check_error(kShortest + "picture:\n\twidth: 64\n", "5:7", {"line 5 is indented by a tab"});
+    CHECK(error_of(kShortest + "picture: {\n").find("tab") == std::string::npos);
+}
+
 TEST_CASE("keys that contradict each other are refused") {
     check_error("source: {file: a.off, shape: star}\ntarget: b\nrows: [{label: x}]\n", "1:9",
                 {"source: expected either 'file' or 'shape', found both"});

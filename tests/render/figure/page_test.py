@@ -27,7 +27,7 @@ rows:
   - {label: registered and turning, alignment: registration}
   - {label: by features, alignment: features, domain: cut}
 alphas: [0, 1/4, 1/2, 3/4, 1]
-picture: {width: 48, height: 48, spp: 2}
+picture: {width: 48, height: 48, spp: 2, color: displacement}
 video: {frames: 8, size: 32, spp: 2, turntable: 6}
 """
 
@@ -184,6 +184,8 @@ def check_page(browser, page, has_videos):
     check("all cells are pictures", browser.value(
         "[...document.querySelectorAll('#figure img')].filter(i => i.naturalWidth === 48).length") == 15)
     check("every picture has a text", browser.value("[...document.images].every(i => i.alt.length > 2)"))
+    check("what the colours mean is told", browser.value(
+        "(i => i.naturalWidth === 2 * i.clientWidth && /^colours from 0 to .*displacement/.test(i.alt))(document.querySelector('.legend'))"))
     check("all rows have a viewer and a plot", browser.value(
         "document.querySelectorAll('.viewer > img').length === 3 && document.querySelectorAll('.viewer svg').length === 3"))
     check_made_of(browser)
@@ -236,7 +238,20 @@ def check_page(browser, page, has_videos):
     check("no errors at the end", errors_of(browser) == [], errors_of(browser))
 
 
+def check_page_alone(browser, page):
+    """The page sent to somebody without its folder."""
+    alone = page.parent.parent / "alone" / page.name
+    alone.parent.mkdir()
+    shutil.copy(page, alone)
+    browser.open(alone.as_uri())
+    browser.value("new Promise(done => setTimeout(done, 500))")
+    check("videos that are not there are not shown, and it is said", browser.value(
+        "[...document.querySelectorAll('video')].every(v => v.clientHeight === 0 && "
+        "v.parentElement.textContent.includes('lie beside the page'))"))
+
+
 def take_pictures(browser, folder, page):
+    folder.mkdir(parents=True, exist_ok=True)
     browser.resize(1280, 900)
     browser.scheme("light")
     browser.open(page.as_uri())
@@ -265,6 +280,7 @@ def main():
                 take_pictures(browser, pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]).resolve())
             else:
                 check_page(browser, folder / "out/index.html", shutil.which("ffmpeg") is not None)
+                check_page_alone(browser, folder / "out/index.html")
         finally:
             browser.close()
     sys.exit(1 if failures else 0)

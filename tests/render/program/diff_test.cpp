@@ -1,4 +1,5 @@
 // `automorph diff` as others' CI runs it.
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -110,6 +111,8 @@ TEST_CASE("modes are chosen by what the files hold, and said") {
     CHECK(run_program(folder, "diff plain.exr other.exr --rmse 0.1 --outlier 0.01 --outliers 960").status ==
           0);
     CHECK(run_program(folder, "diff golden.png other.png").status == 1);
+    holds(run_program(folder, "diff plain.exr other.exr --mode exact").out,
+          "values that differ 2880 (limit 0)");
     CHECK(run_program(folder, "diff plain.exr golden.png --rmse 0.003").status == 0);  // 8 bits
 
     fs::copy_file(folder / "plain.exr", folder / "copy.exr");
@@ -121,6 +124,12 @@ TEST_CASE("modes are chosen by what the files hold, and said") {
     CHECK(bit.status == 1);
     holds(bit.out, "values that differ 1 (limit 0) at x 7, y 9, G");
     CHECK(run_program(folder, "diff plain.exr bit.exr").status == 0);
+
+    changed = Noisy(1);
+    changed.image.at(7, 9)[1] = std::numeric_limits<float>::quiet_NaN();
+    changed.write_plain(folder / "nan.exr");
+    holds(run_program(folder, "diff plain.exr nan.exr").out, " to nan\n");
+    CHECK(run_program(folder, "diff plain.exr nan.exr").status == 1);
 
     changed = Noisy(1);
     *changed.layers.face.at(3, 3) = 5.0f;  // a layer that only the exact mode looks at
@@ -164,6 +173,8 @@ TEST_CASE("what cannot be compared has status 2 and one line that says why") {
           "plain.exr: there are no layers 'variance' and 'samples'");
     check("layers.exr once.exr", "pixel (3, 2) of the new picture has 1 samples");
     check("plain.exr plain.exr", "given as golden and as new");
+    check("plain.exr layers.exr --heatmap plain.exr", "plain.exr: is read, and would be overwritten");
+    check("plain.exr layers.exr --heatmap h.png --side-by-side h.png", "h.png: would be written twice");
     check("plain.exr empty", "give two files");
     check("nothing empty", "there is no .exr or .png file");
     check("plain.exr", "NEW");
@@ -207,6 +218,12 @@ TEST_CASE("folders are compared file by file, with missing and further ones told
     CHECK(report["pictures"][0]["tests"][0]["limit"].get<double>() >
           json::parse(content(folder / "alone.json"))["pictures"][0]["tests"][0]["limit"].get<double>() +
               0.1);
+
+    Noisy(3).write(folder / "new/sub/b.exr");
+    CHECK(run_program(folder, "diff golden new --side-by-side why/s").status == 0);
+    CHECK(names_in(folder / "why/s/sub").empty());  // nothing of an earlier run
+    CHECK(names_in(folder / "why/h/sub").size() == 1);
+    Noisy(4, 1.1f).write(folder / "new/sub/b.exr");
 
     fs::remove(folder / "new/a.exr");
     Noisy(6).write(folder / "new/d.exr");
@@ -258,6 +275,10 @@ TEST_CASE("--accept replaces what differs, adds what is new and touches nothing 
         CHECK(content(folder / "golden/changed.exr") == content(folder / "new/changed.exr"));
         CHECK(content(folder / "fresh/first.exr") == content(folder / "new/noise.exr"));
         CHECK(run_program(folder, "diff golden/changed.exr new/nothing.exr --accept -q").status == 2);
+        const Run other = run_program(folder, "diff golden/changed.png new/changed.exr --accept");
+        CHECK(other.status == 2);
+        holds(other.err, "new/changed.exr: cannot be copied over golden/changed.png");
+        CHECK(names_in(folder / "golden").count("changed.png") == 0);
     }
     SECTION("nothing at all if one of the new pictures is broken, or by a plain comparison") {
         std::ofstream(folder / "new/zebra.exr") << "no picture";

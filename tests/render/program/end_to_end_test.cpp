@@ -45,6 +45,9 @@ TEST_CASE("help teaches by examples and the version is told") {
         CHECK(std::isdigit(static_cast<unsigned char>(version.out[at + std::strlen(library)])));
     }
     CHECK(run_program(folder, "config --explain").out.find("picture.spp\n") != std::string::npos);
+    const std::string shapes = run_program(folder, "shape star --help").out;
+    CHECK(shapes.find("automorph shape star meshes/star.off") != std::string::npos);
+    CHECK(shapes.find("automorph figure") == std::string::npos);
 }
 
 TEST_CASE(
@@ -87,6 +90,23 @@ TEST_CASE(
     CHECK(content(folder / "r.json").find("\"rotation\"") != std::string::npos);
 }
 
+TEST_CASE("folders that are missing are made, for shapes as for morphs") {
+    const TemporaryFolder folder;
+    CHECK(run_program(folder, "shape star new/deep/s.off --triangles 300").status == 0);
+    CHECK(names_in(folder / "new/deep") == std::set<std::string>{"s.off"});
+    CHECK(run_program(folder, "morph new/deep/s.off new/deep/s.off --out out/deep/m.glb -q").status == 0);
+    CHECK(names_in(folder / "out/deep") == std::set<std::string>{"m.glb"});
+}
+
+TEST_CASE("a numbered frame does not take the place of a mesh that is read") {
+    const TemporaryFolder folder;
+    REQUIRE(run_program(folder, "shape star s_001.off --triangles 300").status == 0);
+    const Run run = run_program(folder, "morph s_001.off s_001.off --out ./s_.off --frames 2");
+    CHECK(run.status == 1);
+    CHECK(run.err.find("s_001.off: is read, and would be overwritten") != std::string::npos);
+    CHECK(run_program(folder, "morph s_001.off s_001.off --out x/s_.off --frames 2").status == 0);
+}
+
 TEST_CASE("a morph is written as one animated file, by its extension") {
     const TemporaryFolder folder;
     make_shapes(folder);
@@ -123,6 +143,8 @@ TEST_CASE("help tells of topics and commands, and of nothing else") {
     const TemporaryFolder folder;
     CHECK(run_program(folder, "help output-files").out.find("Line i + 2 is vertex i") != std::string::npos);
     CHECK(run_program(folder, "help morph").out.find("--correspondence") != std::string::npos);
+    CHECK(run_program(folder, "help shape head").out == run_program(folder, "shape head --help").out);
+    CHECK(run_program(folder, "help shape knitting").status == 1);
     const Run unknown = run_program(folder, "help knitting");
     CHECK(unknown.status == 1);
     CHECK(unknown.err.find("there is no help on 'knitting'") != std::string::npos);
@@ -152,7 +174,8 @@ TEST_CASE("a figure is made from a config into out/ and its name") {
            "alphas: [0, 1/2]\npicture: {width: 32, height: 32, spp: 8}\n";
     const Run plan = run_program(folder, "figure configs/tiny.yaml --quality draft --dry-run");
     CHECK(plan.status == 0);
-    for (const char* phrase : {"out/tiny", "1 x 2 cells of 16 x 16 pixels, 2 paths each", "estimate: "}) {
+    for (const char* phrase : {"out/tiny", "1 x 2 cells of 16 x 16 pixels, 2 paths each",
+                               "estimate: ", "(morphs 1 s, checks and maps 1 s, pictures 1 s"}) {
         INFO(phrase);
         CHECK(plan.out.find(phrase) != std::string::npos);
     }
@@ -288,18 +311,21 @@ TEST_CASE("every error is one line on stderr and status 1, and leaves nothing be
     check("completion tcsh", "allowed are bash|fish|zsh");
     check("morph a.off b.ply --out a.off/m_.ply", "a.off: cannot be used as output folder");
     check("morph a.off b.ply --correspondence a.off/c.csv", "a.off");
+    check("morph a.off b.ply --report ./a.off", "./a.off: is read, and would be overwritten");
+    check("morph a.off b.ply --out m.glb --report m.glb", "m.glb: would be written twice");
     check("morph a.off b.ply --frames few", "--frames");
     check("morph a.off", "TARGET");
-    check("shape star gone/s.ply", "gone/s.ply");
-    check("shape star s.xyz", "s.xyz");
+    check("shape star a.off/s.ply", "a.off: cannot be used as output folder");
+    check("shape star gone/s.xyz", "gone/s.xyz");
     check("figure bad.yaml", "bad.yaml:3:1: unknown key 'rowz' in the config; did you mean 'rows'?");
-    check("figure bad.yaml --set rowz=1 --set picture.spq=2", "bad.yaml:3:1: unknown key 'rowz'");
+    check("figure bad.yaml --set rowz=1 --set picture.spq=2", "--set rowz=1: unknown key 'rowz'");
     check("figure gone.yaml --rows 1-", "--rows '1-': expected");
     check("figure gone.yaml --dry-run --rows 2", "row 2: there are 1");
     check("figure gone.yaml --dry-run", "gone.off");
     check("figure gone.yaml --quality best", "draft|normal|final");
     check("figure gone.yaml", "gone.off");
-    check("figure no.yaml", "no.yaml");
+    check("figure no.yaml", "no.yaml: this config cannot be read: No such file");
+    check("config folder.glb", "folder.glb: this config cannot be read: it is a folder");
     check("figure gone.yaml --out a.off/x", "a.off");
     check("info gone.off", "gone.off");
     check("fly", "there is no command 'fly'");
