@@ -11,6 +11,7 @@
 #include "render/figure/picture_progress.h"
 #include "render/figure/row_subject.h"
 #include "render/figure/stopwatch.h"
+#include "render/image/data_uri.h"
 #include "render/image/image_file.h"
 #include "render/video/video_encoder.h"
 
@@ -58,6 +59,17 @@ std::vector<int> selected_frames(const Selection& frames, int count) {
 }
 
 constexpr const char* kTurntableName = "turntable";
+
+/// The videos of a clip for the page, unless one is too large to go into it.
+std::vector<std::string> films_of(const std::filesystem::path& folder, const std::string& name) {
+    constexpr std::uintmax_t kLargest = 4u << 20;  // bytes
+    std::vector<std::string> films;
+    for (const std::filesystem::path& file : video_files(folder, name)) {
+        if (std::filesystem::file_size(file) > kLargest) return {};
+        films.push_back(render::file_data_uri("video/" + file.extension().string().substr(1), file));
+    }
+    return films;
+}
 
 std::string row_clip_name(std::size_t number) {
     return fmt::format("row{}", number + 1);
@@ -123,7 +135,10 @@ Clip row_clip(const FigureConfig& config, const Shooting& shooting, const Figure
         clip.seconds += cell.seconds;
         pictures.push_back(video_frame(cell.image));
     }
-    if (encodes) encode(pictures, shown, config.video.fps, video_files(folder, clip.name));
+    if (encodes) {
+        encode(pictures, shown, config.video.fps, video_files(folder, clip.name));
+        clip.films = films_of(folder, clip.name);
+    }
     clip.encoded = encodes;
     progress.finish();
     return clip;
@@ -168,6 +183,7 @@ Clip turntable_clip(const FigureConfig& config, const FigureOptions& options, co
         encoder.add(video_frame(cell.image));
     }
     encoder.finish();
+    clip.films = films_of(folder, clip.name);
     clip.encoded = true;
     progress.finish();
     return clip;

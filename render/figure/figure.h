@@ -67,6 +67,8 @@ struct Clip {
     std::vector<std::string> stills;  ///< one per alpha, as data URIs
     double seconds = 0;               ///< of rendering
     bool encoded = false;             ///< the videos are in the folder
+    std::vector<std::string>
+        films;  ///< those videos, as data URIs; empty where they are too large for a page
 };
 
 struct FigureRow {

@@ -85,12 +85,14 @@ Json page_data(const FigureConfig& config, const Figure& figure) {
         for (std::size_t j = 0; j < row.cells.size(); ++j) {
             row_data["cells"][j].update(picture_json(row.cells[j]));
         }
+        if (row.clip) row_data["video"]["films"] = row.clip->films;
         row_data["motion"] = row.motion.morph ? motion_json(row, row_data["cells"]) : Json();
     }
     for (std::size_t i = 0; i < figure.panels.size(); ++i) {
         data["morphs"][i]["map_pictures"] = pictures_json(figure.panels[i].maps);
         data["morphs"][i]["feature_pictures"] = pictures_json(figure.panels[i].features);
     }
+    if (figure.turntable) data["turntable"]["films"] = figure.turntable->films;
     if (figure.scale) data["legend"] = legend_json(*figure.scale);
     data["no_videos"] = figure.no_videos;
     return data;

@@ -1,6 +1,5 @@
 #include "render/image/image_file.h"
 
-#include <OpenImageIO/strutil.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +7,7 @@
 
 #include "morph/mesh/errors.h"
 #include "morph/mesh/write_file.h"
+#include "render/image/data_uri.h"
 #include "render/image/image_module.h"
 
 namespace automorph::render {
@@ -182,7 +182,7 @@ std::string jpeg_data_uri(const Image& image, int quality) {
     std::vector<std::uint8_t> codes(image.pixels.size());
     std::transform(image.pixels.begin(), image.pixels.end(), codes.begin(), to_srgb8);
     const std::vector<unsigned char> bytes = encoded(name, header, codes.data());
-    return "data:image/jpeg;base64," + OIIO::Strutil::base64_encode(as_text(bytes));
+    return data_uri("image/jpeg", as_text(bytes));
 }
 
 ImageFile read_image(const fs::path& file) {

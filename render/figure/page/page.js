@@ -178,7 +178,7 @@
     show(Math.floor(alphas.length / 2));
   }
 
-  // ---- Videos lie beside the page.
+  // ---- Videos are in the page, unless they are large: then they lie beside it.
   function drawVideos() {
     const films = data.rows.map((row) => [row.video, row.label, row.motion?.stills[0]]);
     films.push([data.turntable, "Turntable", data.rows.at(-1).cells.at(-1)?.image]);
@@ -190,8 +190,8 @@
       });
       player.muted = true;
       if (poster) player.poster = poster;
-      const types = { mp4: "video/mp4", webm: "video/webm" };
-      for (const file of video.files) player.append(element("source", { src: file, type: types[file.split(".").pop()] }));
+      const sources = video.films.length > 0 ? video.films : video.files;
+      video.files.forEach((file, i) => player.append(element("source", { src: sources[i], type: "video/" + file.split(".").pop() })));
       const links = element("p", { class: "quiet" });
       for (const file of video.files) links.append(element("a", { href: file }, file), " ");
       player.lastChild.addEventListener("error", () => {
