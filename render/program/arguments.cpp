@@ -73,10 +73,10 @@ void add_figure(CLI::App& app, FigureArguments& arguments) {
         ->type_name("DIR");
     command->add_option("--spp", arguments.spp, "Light paths per pixel, instead of the config's")
         ->type_name("N")
-        ->check(CLI::Range(1, 65536));
+        ->check(range(1, 65536));
     command->add_option("--scale", arguments.scale, "Scales the cells' width and height")
         ->type_name("X")
-        ->check(CLI::Range(0.01, 100.0));
+        ->check(range(0.01, 100.0));
     add_choice(*command, "--quality", arguments.quality, kQualities,
                "draft: half the size, few paths, denoised, no turntable; final: twice the size, four times "
                "the paths");
@@ -107,7 +107,7 @@ void add_morph(CLI::App& app, MorphArguments& arguments) {
     command->add_option("TARGET", arguments.target, "Mesh at alpha = 1")->type_name("MESH")->required();
     command->add_option("--frames", arguments.frames, "How many numbered ones, both ends included")
         ->type_name("N")
-        ->check(CLI::Range(2, 100000))
+        ->check(range(2, 100000))
         ->capture_default_str();
     command
         ->add_option(
@@ -122,7 +122,7 @@ void add_morph(CLI::App& app, MorphArguments& arguments) {
         ->type_name("FILE");
     command->add_option("--seconds", arguments.seconds, "From source to target, in a .glb")
         ->type_name("X")
-        ->check(CLI::Range(0.01, 86400.0))
+        ->check(range(0.01, 86400.0))
         ->capture_default_str();
     command->add_flag("--ping-pong", arguments.ping_pong, "And back again, in a .glb");
     add_choice(*command, "--up", arguments.up, kUpAxes, "Which axis of the meshes points up, for a .glb");
@@ -218,7 +218,7 @@ std::variant<Arguments, int> read_arguments(int count, const char* const* values
     add_choice(app, "--log-level", arguments.log_level, kLogLevels, "What is told")->excludes(quiet);
     app.add_option("--threads", arguments.threads, "How many threads; results do not depend on it [all]")
         ->type_name("N")
-        ->check(CLI::Range(1, 4096));
+        ->check(range(1, 4096));
 
     FigureArguments figure;
     MorphArguments morph;

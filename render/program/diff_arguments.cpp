@@ -49,9 +49,9 @@ void add_diff(CLI::App& app, DiffArguments& arguments) {
         ->add_option("--false-alarms", arguments.statistical.false_alarm_rate,
                      "statistical: share of runs that may be wrong when nothing has changed")
         ->type_name("X")
-        ->check(CLI::Range(1e-12, 0.5))
+        ->check(range(1e-12, 0.5))
         ->capture_default_str();
-    const CLI::Range radiance(0.0, 1e9);
+    const CLI::Validator radiance = range(0.0, 1e9);
     command
         ->add_option("--rmse", arguments.same_seed.rmse, "same-seed: largest root mean square, in radiance")
         ->type_name("X")
@@ -61,11 +61,11 @@ void add_diff(CLI::App& app, DiffArguments& arguments) {
         ->add_option("--outlier", arguments.same_seed.outlier,
                      "same-seed: a pixel that differs by more is an outlier, in radiance")
         ->type_name("X")
-        ->check(CLI::Range(1e-9, 1e9))
+        ->check(range(1e-9, 1e9))
         ->capture_default_str();
     command->add_option("--outliers", arguments.same_seed.outliers, "same-seed: so many are accepted")
         ->type_name("N")
-        ->check(CLI::Range(0, 1'000'000'000))
+        ->check(range(0, 1'000'000'000))
         ->capture_default_str();
     command->footer(kDiffExamples);
 }

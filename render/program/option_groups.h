@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <type_traits>
 
 #include "morph/morph.h"
 #include "render/figure/names.h"
@@ -47,6 +48,28 @@ CLI::Option* add_choice(CLI::App& command, const std::string& flag, E& value,
             meaning)
         ->type_name(type_name(names))
         ->default_str(fallback);
+}
+
+template <class T>
+std::string short_number(T value) {
+    if constexpr (std::is_floating_point_v<T>)
+        return fmt::format("{:g}", value);
+    else
+        return fmt::format("{}", value);
+}
+
+/// As CLI::Range, with an error in the words of the others.
+template <class T>
+CLI::Validator range(T least, T most) {
+    const CLI::Range inside(least, most);
+    CLI::Validator validator = inside;
+    validator.operation([inside, allowed = fmt::format("{} to {}", short_number(least), short_number(most))](
+                            std::string& text) {
+        if (inside(text).empty()) return std::string();
+        return fmt::format("found '{}', allowed are {} from {}", text,
+                           std::is_integral_v<T> ? "whole numbers" : "numbers", allowed);
+    });
+    return validator;
 }
 
 /// How a morph is made and moves.

@@ -16,13 +16,11 @@ void add_shape_options(CLI::App& command, std::filesystem::path& out, ShapeOptio
         ->required();
     command.footer(kShapeExamples);
     command.add_option("--triangles", options.triangles, "How many, about")
-        ->check(CLI::Range(64, 10'000'000))
+        ->check(range(64, 10'000'000))
         ->capture_default_str();
     command.add_option("--seed", options.seed, "Another seed gives another tessellation")
         ->capture_default_str();
-    command.add_option("--scale", options.scale, "Size")
-        ->check(CLI::Range(1e-9, 1e12))
-        ->capture_default_str();
+    command.add_option("--scale", options.scale, "Size")->check(range(1e-9, 1e12))->capture_default_str();
 }
 
 void add_head(CLI::App& shapes, HeadArguments& head) {
@@ -36,7 +34,7 @@ void add_head(CLI::App& shapes, HeadArguments& head) {
         std::string flag = std::string("--") + each.name;
         std::replace(flag.begin(), flag.end(), '_', '-');
         command->add_option(flag, head.proportions[k], std::string(each.meaning) + " [the preset's]")
-            ->check(CLI::Range(each.least, each.most))
+            ->check(range(each.least, each.most))
             ->group("Proportions");
     }
 }
@@ -47,7 +45,7 @@ void add_shape(CLI::App& app, EllipsoidArguments& round, StarArguments& star, He
     CLI::App* command = app.add_subcommand("shape", "Generates a shape");
     command->require_subcommand(1);
     command->footer(kShapeExamples);
-    const CLI::Range positive(1e-9, 1e12);
+    const CLI::Validator positive = range(1e-9, 1e12);
 
     CLI::App* ellipsoid = command->add_subcommand("ellipsoid", "An ellipsoid");
     add_shape_options(*ellipsoid, round.out, round.options);
@@ -58,9 +56,7 @@ void add_shape(CLI::App& app, EllipsoidArguments& round, StarArguments& star, He
 
     CLI::App* arms = command->add_subcommand("star", "A smooth solid star in the xy-plane");
     add_shape_options(*arms, star.out, star.options);
-    arms->add_option("--arms", star.parameters.arms, "How many")
-        ->check(CLI::Range(3, 12))
-        ->capture_default_str();
+    arms->add_option("--arms", star.parameters.arms, "How many")->check(range(3, 12))->capture_default_str();
     arms->add_option("--outer", star.parameters.outer, "Radius of the tips")
         ->check(positive)
         ->capture_default_str();

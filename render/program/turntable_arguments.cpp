@@ -26,25 +26,25 @@ Stopped, killed, or with a full disk: the same command again goes on. Each frame
 void add_motion(CLI::App& command, turntable::TimelineOptions& timeline) {
     command.add_option("--frames", timeline.frames, "How many in the whole sequence")
         ->type_name("N")
-        ->check(CLI::Range(1, 100000))
+        ->check(range(1, 100000))
         ->capture_default_str();
     command
         .add_option("--revolutions", timeline.revolutions,
                     "How often it turns, counter-clockwise seen from above; negative: clockwise, 0: not, "
                     "fractions: a part")
         ->type_name("R")
-        ->check(CLI::Range(-1e6, 1e6))
+        ->check(range(-1e6, 1e6))
         ->capture_default_str();
     command.add_option("--start", timeline.start, "Turned by so much before the first frame")
         ->type_name("DEG")
-        ->check(CLI::Range(-1e6, 1e6))
+        ->check(range(-1e6, 1e6))
         ->capture_default_str();
     command
         .add_option("--shutter", timeline.shutter,
                     "Motion blur: share of the time between two frames during which the shutter is open, "
                     "around the frame's moment; 0: none, 0.5: as film cameras do")
         ->type_name("S")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(range(0.0, 1.0))
         ->capture_default_str();
     add_choice(command, "--turn-easing", timeline.turn_easing, kEasings,
                "How it turns: evenly, or from rest to rest");
@@ -56,14 +56,14 @@ void add_motion(CLI::App& command, turntable::TimelineOptions& timeline) {
         command
             .add_option("--hold", timeline.hold, "Share of the sequence in which the morph rests at each end")
             ->type_name("X")
-            ->check(CLI::Range(0.0, 0.49))
+            ->check(range(0.0, 0.49))
             ->capture_default_str();
     command
         .add_option_function<double>(
             "--alpha", [&timeline](const double& alpha) { timeline.alpha = alpha; },
             "Turns this in-between of the morph, 0 the source and 1 the target, and does not morph")
         ->type_name("A")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(range(0.0, 1.0))
         ->excludes(hold)
         ->excludes(loop)
         ->excludes(easing);
@@ -79,27 +79,27 @@ void add_picture(CLI::App& command, TurntableArguments& arguments) {
         ->type_name("AXIS");
     command.add_option("--elevation", arguments.elevation, "Degrees the camera looks downwards")
         ->type_name("DEG")
-        ->check(CLI::Range(0.0, 89.0))
+        ->check(range(0.0, 89.0))
         ->capture_default_str();
     command.add_option("--fov", arguments.fov, "Vertical field of view, degrees")
         ->type_name("DEG")
-        ->check(CLI::Range(1.0, 120.0))
+        ->check(range(1.0, 120.0))
         ->capture_default_str();
     command.add_option("--margin", arguments.margin, "Free on each side, as a share of half the picture")
         ->type_name("X")
-        ->check(CLI::Range(0.0, 0.9))
+        ->check(range(0.0, 0.9))
         ->capture_default_str();
     command.add_flag("--flat", arguments.flat, "Shows the facets instead of smooth normals");
     for (const auto& [flag, value] :
          {std::pair{"--width", &arguments.width}, std::pair{"--height", &arguments.height}}) {
         command.add_option(flag, *value, "Of the pictures, pixels")
             ->type_name("N")
-            ->check(CLI::Range(1, 16384))
+            ->check(range(1, 16384))
             ->capture_default_str();
     }
     command.add_option("--spp", arguments.spp, "Light paths per pixel")
         ->type_name("N")
-        ->check(CLI::Range(1, 65536))
+        ->check(range(1, 65536))
         ->capture_default_str();
 }
 
@@ -128,7 +128,7 @@ void add_turntable(CLI::App& app, TurntableArguments& arguments) {
         ->type_name("A-B");
     command->add_option("--fps", arguments.fps, "Frames per second of a video")
         ->type_name("X")
-        ->check(CLI::Range(0.1, 1000.0))
+        ->check(range(0.1, 1000.0))
         ->capture_default_str();
     command->add_flag("--redo", arguments.redo, "Makes finished frames anew, too");
     add_morph_options(*command, arguments.morph, arguments.interpolation);

@@ -309,6 +309,10 @@ TEST_CASE("every error is one line on stderr and status 1, and leaves nothing be
     check("morph a.off b.ply --out m_.jpg", "m_.jpg: a morph is written as .glb");
     check("morph a.off b.ply --out m.glb --seconds 0", "--seconds");
     check("completion tcsh", "allowed are bash|fish|zsh");
+    check("shape head a.ply --nose-width 9",
+          "--nose-width: found '9', allowed are numbers from 0.75 to 1.35");
+    check("shape head a.ply --triangles x",
+          "--triangles: found 'x', allowed are whole numbers from 64 to 10000000");
     check("morph a.off b.ply --out a.off/m_.ply", "a.off: cannot be used as output folder");
     check("morph a.off b.ply --correspondence a.off/c.csv", "a.off");
     check("morph a.off b.ply --report ./a.off", "./a.off: is read, and would be overwritten");
