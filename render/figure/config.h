@@ -11,6 +11,7 @@
 #include "morph/morph.h"
 #include "morph/shapes/head.h"
 #include "morph/shapes/shapes.h"
+#include "render/film/filter.h"
 #include "render/geometry/triangle_mesh.h"
 #include "render/image/image_file.h"
 #include "render/studio/studio.h"
@@ -74,6 +75,7 @@ struct RowConfig {
 /// BSDF; render/README.md has the mapping. The default is plain diffuse.
 struct MaterialConfig {
     double metallic = 0, roughness = 0.5, specular = 0, transmission = 0, ior = 1.5;
+    Eigen::Vector3d emission{0, 0, 0};  ///< radiance, linear RGB
 };
 
 /// Where the light comes from.
@@ -127,8 +129,10 @@ struct MarkersConfig {
 
 /// How every cell is pictured; all cells of a figure share one camera.
 struct PictureConfig {
-    int width = 480, height = 480;             ///< of one cell, pixels
-    int spp = 64;                              ///< paths per pixel
+    int width = 480, height = 480;  ///< of one cell, pixels
+    int spp = 64;                   ///< paths per pixel
+    double adaptive = 0;            ///< standard error at which a pixel has paths enough; 0: none
+    render::Filter filter = render::Filter::BlackmanHarris;
     std::uint64_t seed = 1;                    ///< of the samples
     Eigen::Vector3d view{0, 1, -0.25};         ///< direction the camera looks in, world frame
     Eigen::Vector3d up{0, 0, 1};               ///< upwards in the picture, world frame

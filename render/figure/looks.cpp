@@ -48,6 +48,7 @@ void picture_looks(const FigureConfig& config, const FigureOptions& options, Fig
                                     .width = of_stage.width,
                                     .height = of_stage.height,
                                     .spp = of_stage.spp,
+                                    .adaptive_error = of_stage.adaptive_error,
                                     .sky = of_stage.sky};
             FigureCell cell = Subject(shooting, shape.mesh.V, shape.mesh.F)
                                   .shoot(shape.mesh.V, progress.begin(++number, shooting.samples()));

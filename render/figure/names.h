@@ -40,6 +40,8 @@ inline constexpr std::array kShows{
     Named<Show>{"features", Show::Features}, Named<Show>{"looks", Show::Looks}};
 inline constexpr std::array kNormals{Named<render::Normals>{"smooth", render::Normals::Smooth},
                                      Named<render::Normals>{"flat", render::Normals::Flat}};
+inline constexpr std::array kFilters{Named<render::Filter>{"blackman-harris", render::Filter::BlackmanHarris},
+                                     Named<render::Filter>{"box", render::Filter::Box}};
 inline constexpr std::array kGrounds{Named<render::Ground>{"none", render::Ground::None},
                                      Named<render::Ground>{"shadow", render::Ground::Shadow},
                                      Named<render::Ground>{"plain", render::Ground::Plain},

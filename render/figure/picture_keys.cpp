@@ -19,6 +19,7 @@ Section<MaterialConfig> material_section() {
         value("transmission", &M::transmission, kShare,
               "share of glass in what is not metal; the albedo tints it"),
         value("ior", &M::ior, {1, 4}, "refractive index of glass and coat"),
+        vector3("emission", &M::emission, kRadiance, "linear radiance that the surface gives off by itself"),
     };
     return table;
 }
@@ -166,6 +167,12 @@ Section<PictureConfig> picture_section() {
         value("width", &P::width, {16, 16384}, "of one cell, pixels"),
         value("height", &P::height, {16, 16384}, "of one cell, pixels"),
         value("spp", &P::spp, {1, 65536}, "light paths per pixel; noise falls with its square root"),
+        value("adaptive", &P::adaptive, kShare,
+              "relative standard error, such as 0.01, at which a pixel has paths enough: `spp` are then the "
+              "most "
+              "it takes; 0: all take `spp`"),
+        choice("filter", &P::filter, kFilters,
+               "how a pixel weighs its surroundings: a window three pixels wide, or the pixel alone"),
         value("seed", &P::seed, kSeed, "of the light paths"),
         vector3("view", &P::view, kAny,
                 "direction the camera looks in; the distance follows from the frames"),

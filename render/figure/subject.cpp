@@ -51,6 +51,7 @@ Shooting ShootingPlan::shooting() const {
             .width = film_.width,
             .height = film_.height,
             .spp = film_.spp,
+            .adaptive_error = picture_.adaptive,
             .sky = load_sky(picture_, camera)};
 }
 
@@ -75,6 +76,7 @@ render::Material material_of(const PictureConfig& picture, int width) {
     material.specular = static_cast<float>(picture.material.specular);
     material.transmission = static_cast<float>(picture.material.transmission);
     material.ior = static_cast<float>(picture.material.ior);
+    material.emission = color_of(picture.material.emission);
     // A figure made smaller looks the same.
     material.wire_width = static_cast<float>(picture.wireframe.width * width / picture.width);
     material.wire_color = color_of(picture.wireframe.color);
@@ -114,6 +116,7 @@ FigureCell Subject::shoot(const std::vector<Points>& steps, const std::function<
     settings.width = shooting_.width;
     settings.height = shooting_.height;
     settings.spp = shooting_.spp;
+    settings.filter = shooting_.picture.filter;
     settings.seed = shooting_.picture.seed;
     settings.frame = frame;
     settings.adaptive_error = shooting_.adaptive_error;

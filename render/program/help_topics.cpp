@@ -99,7 +99,8 @@ metrics.json with what the morph found, used and measured. The same config and
 seed give the same pixels, whatever the number of threads.
 
 picture.spp is the number of light paths per pixel: noise halves with four
-times as many. picture.up is the direction that points up, z unless said
+times as many; picture.adaptive, e.g. 0.02, ends pixels that are good enough
+before. picture.up is the direction that points up, z unless said
 otherwise; scans of faces often have y, and are seen from the front with
 
     picture: {up: [0, 1, 0], view: [0, 0, -1]}

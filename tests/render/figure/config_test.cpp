@@ -273,7 +273,9 @@ TEST_CASE("a row sets the constants of its curvature features") {
 
 TEST_CASE("a picture says its material, light, lens, edges, ground, colours, markers and files") {
     const PictureConfig picture = parse(kShortest + R"(picture:
-  material: {metallic: 1, roughness: 0.25, specular: 0.5, transmission: 0.125, ior: 1.4}
+  adaptive: 0.01
+  filter: box
+  material: {metallic: 1, roughness: 0.25, specular: 0.5, transmission: 0.125, ior: 1.4, emission: [1, 2, 3]}
   light: {kind: sky, map: skies/day.hdr, rotation: -30, strength: 2, visible: true}
   lens: {radius: 0.02, focus: -0.8}
   wireframe: {width: 1.5, color: [1, 0, 0]}
@@ -290,6 +292,9 @@ TEST_CASE("a picture says its material, light, lens, edges, ground, colours, mar
     CHECK(picture.material.specular == 0.5);
     CHECK(picture.material.transmission == 0.125);
     CHECK(picture.material.ior == 1.4);
+    CHECK(picture.material.emission == Eigen::Vector3d(1, 2, 3));
+    CHECK(picture.adaptive == 0.01);
+    CHECK(picture.filter == render::Filter::Box);
     CHECK(picture.light.kind == LightConfig::Kind::Sky);
     CHECK(picture.light.map == fs::path("folder/skies/day.hdr"));
     CHECK(picture.light.rotation == -30);
@@ -456,4 +461,6 @@ TEST_CASE("the table documents every key once, with a meaning, and its defaults 
     CHECK(written.wireframe.color == built.wireframe.color);
     CHECK(written.markers.radius == built.markers.radius);
     CHECK(written.bits == built.bits);
+    CHECK(written.filter == built.filter);
+    CHECK(written.adaptive == built.adaptive);
 }

@@ -1,5 +1,6 @@
 // Materials, lights, lens, edges, colours, markers, denoising and tone curves by way of configs.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "morph/mesh/errors.h"
@@ -68,6 +69,40 @@ TEST_CASE("the defaults of material, light, lens and edges are what was there be
         "spp: 4, material: {metallic: 0, specular: 0}, light: {kind: studio, strength: 1, rim: 0}, "
         "lens: {radius: 0}, wireframe: 0, ground: true");
     CHECK(plain.pixels == spelled.pixels);
+}
+
+TEST_CASE("an adaptive picture takes fewer paths and shows the same") {
+    const std::string picture = kSphere + "looks: [{label: x}]\npicture: {width: 48, height: 48, spp: 256";
+    const Figure whole = figure_of(picture + "}\n"), adaptive = figure_of(picture + ", adaptive: 0.05}\n");
+    const FigureCell& cell = adaptive.rows[0].cells[0];
+    CHECK(cell.samples < whole.rows[0].cells[0].samples / 2);
+    CHECK(apart(cell.image, only_cell(whole)) < 0.02);
+    CHECK(apart(cell.image, only_cell(whole)) > 0);
+}
+
+TEST_CASE("a surface gives off its emission") {
+    const render::Image image = sphere(
+        "spp: 4, background: [0, 0, 0], ground: none, light: {strength: 0}, "
+        "material: {emission: [2, 1, 0.25]}");
+    for (int c = 0; c < 3; ++c) {
+        CHECK(image.at(24, 24)[c] == Approx(std::array{2.0, 1.0, 0.25}[static_cast<std::size_t>(c)]));
+        CHECK(image.at(0, 0)[c] == 0.0f);
+    }
+}
+
+TEST_CASE("the box filter keeps an edge to the pixels that it crosses") {
+    const auto shades = [&](const std::string& filter) {
+        const render::Image image = sphere(
+            "spp: 64, background: [0, 0, 0], ground: none, light: {strength: 0}, material: {emission: [1, 1, "
+            "1]}, "
+            "filter: " +
+            filter);
+        return static_cast<double>(std::count_if(image.pixels.begin(), image.pixels.end(),
+                                                 [](float value) { return value > 0.0f && value < 1.0f; }));
+    };
+    const double box = shades("box");
+    CHECK(box > 100);
+    CHECK(shades("blackman-harris") > 1.3 * box);
 }
 
 TEST_CASE("a sky from a file lights as its mirror image in the sky does, turned by its rotation") {
