@@ -176,7 +176,7 @@ struct VideoConfig {
     int frames = 48;        ///< of each row's loop from the source to the target and back; 0: none
     double fps = 16;        ///< frames per second
     int size = 320;         ///< longer side, pixels; the other follows from the cell's
-    int spp = 8;            ///< paths per pixel
+    int spp = 24;           ///< paths per pixel
     double shutter = 0;     ///< share of the time between two frames during which the shutter is open
     int turntable = 48;     ///< frames of one turn about picture.up, morphing there and back; 0: none
     int turntable_row = 0;  ///< from 1; 0: the last
