@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 
 #include "morph/mesh/errors.h"
 #include "morph/mesh/write_gate.h"
@@ -82,6 +83,17 @@ fs::path name_aside(const fs::path& file) {
     fs::path aside = file;
     aside += fmt::format(".{}-{}{}", static_cast<long>(::getpid()), counter++, kPart);
     return aside;
+}
+
+std::string file_content(const fs::path& file) {
+    errno = 0;
+    std::ifstream stream(file, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    if (stream.bad() || !stream.is_open() || std::filesystem::is_directory(file)) {
+        throw IoError(fmt::format("{}: cannot be read: {}", file.string(),
+                                  errno != 0 ? std::strerror(errno) : "it is no file"));
+    }
+    return bytes;
 }
 
 fs::path behind_links(const fs::path& file) {

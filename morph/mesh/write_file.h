@@ -14,6 +14,9 @@ namespace automorph {
 ///         stays as it was
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
+/// A whole file. @throws IoError  it cannot be read
+std::string file_content(const std::filesystem::path& file);
+
 /// The file that writing `file` makes or replaces: where symbolic links lead, which need not exist.
 /// @throws IoError if they lead nowhere
 std::filesystem::path behind_links(const std::filesystem::path& file);

@@ -66,7 +66,7 @@ std::vector<std::string> films_of(const std::filesystem::path& folder, const std
     std::vector<std::string> films;
     for (const std::filesystem::path& file : video_files(folder, name)) {
         if (std::filesystem::file_size(file) > kLargest) return {};
-        films.push_back(render::file_data_uri("video/" + file.extension().string().substr(1), file));
+        films.push_back(render::data_uri("video/" + file.extension().string().substr(1), file_content(file)));
     }
     return films;
 }

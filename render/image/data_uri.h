@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -9,9 +8,5 @@ namespace automorph::render {
 /// "data:image/jpeg;base64,...", for pages that hold their pictures and videos.
 /// @param type  e.g. "image/jpeg"
 std::string data_uri(std::string_view type, std::string_view bytes);
-
-/// Of a whole file.
-/// @throws IoError if it cannot be read
-std::string file_data_uri(std::string_view type, const std::filesystem::path& file);
 
 }  // namespace automorph::render

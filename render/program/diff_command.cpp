@@ -12,7 +12,6 @@
 #include "morph/mesh/write_file.h"
 #include "render/program/commands.h"
 #include "render/program/diff_report.h"
-#include "render/program/frame_files.h"
 #include "render/program/outputs.h"
 #include "render/program/picture_diff.h"
 

@@ -3,12 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <iterator>
-
-#include "morph/mesh/errors.h"
 
 namespace automorph::program {
 
@@ -27,17 +22,6 @@ std::string told_of_further_frames(const std::filesystem::path& pattern, int cou
     return fmt::format("{}{} there, too, of an earlier sequence: not among these {} frames",
                        numbered(pattern, count, count).string(),
                        further > 1 ? fmt::format(" and {} more lie", further - 1) : " lies", count);
-}
-
-std::string file_content(const std::filesystem::path& file) {
-    errno = 0;
-    std::ifstream stream(file, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    if (stream.bad() || !stream.is_open() || std::filesystem::is_directory(file)) {
-        throw IoError(fmt::format("{}: cannot be read: {}", file.string(),
-                                  errno != 0 ? std::strerror(errno) : "it is no file"));
-    }
-    return bytes;
 }
 
 std::string points_csv(const Points& points) {

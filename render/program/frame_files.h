@@ -15,9 +15,6 @@ std::filesystem::path numbered(const std::filesystem::path& pattern, int index, 
 /// there, too, of an earlier sequence: not among these 5 frames". Empty if there are none.
 std::string told_of_further_frames(const std::filesystem::path& pattern, int count);
 
-/// A whole file. @throws IoError  it cannot be read
-std::string file_content(const std::filesystem::path& file);
-
 /// Points as CSV: a header "x,y,z", then one line per row in the shortest form that reads back to the same
 /// double; "nan" where there is none.
 std::string points_csv(const Points& points);
