@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <utility>
 
 #include "morph/features/curvature.h"
 #include "morph/mesh/geometry.h"
@@ -21,13 +20,12 @@ Eigen::VectorXd mean_curvature(const Mesh& frame) {
     const HalfEdgeTable half_edges(frame.F, frame.vertex_count());
     const Curvature smooth = smoothed(curvature(frame, half_edges), frame, kWidth);
     Eigen::VectorXd values = smooth.mean, sums = Eigen::VectorXd::Zero(frame.vertex_count()), counts = sums;
+    // Edges at an inner vertex have two half-edges, so each of its neighbours is met.
     for (int h = 0; h < half_edges.count(); ++h) {
-        for (const auto& [to, from] : {std::pair(half_edges.from(h), half_edges.to(h)),
-                                       std::pair(half_edges.to(h), half_edges.from(h))}) {
-            if (!smooth[from]) continue;
-            sums[to] += smooth.mean[from];
-            ++counts[to];
-        }
+        const int from = half_edges.from(h), to = half_edges.to(h);
+        if (!smooth[from]) continue;
+        sums[to] += smooth.mean[from];
+        ++counts[to];
     }
     for (int v = 0; v < frame.vertex_count(); ++v) {
         if (!smooth[v]) values[v] = counts[v] > 0 ? sums[v] / counts[v] : kNaN;
