@@ -38,7 +38,7 @@ Speed measured_speed(const FigureConfig& config, const FigureOptions& options) {
     const Stopwatch whole;
     const FigureCell cell = subject.shoot(mesh.V, {});
     Speed speed;
-    speed.paths_per_second = kSize * kSize * kSpp / std::max(cell.seconds, 1e-3);
+    speed.paths_per_second = static_cast<double>(cell.samples) / std::max(cell.seconds, 1e-3);
     if (config.picture.denoise || options.denoise)
         speed.denoising_per_pixel = std::max(0.0, whole.seconds() - cell.seconds) / (kSize * kSize);
     return speed;
