@@ -169,8 +169,7 @@ Section<PictureConfig> picture_section() {
         value("spp", &P::spp, {1, 65536}, "light paths per pixel; noise falls with its square root"),
         value("adaptive", &P::adaptive, kShare,
               "relative standard error, such as 0.01, at which a pixel has paths enough: `spp` are then the "
-              "most "
-              "it takes; 0: all take `spp`"),
+              "most it takes; 0: all take `spp`"),
         choice("filter", &P::filter, kFilters,
                "how a pixel weighs its surroundings: a window three pixels wide, or the pixel alone"),
         value("seed", &P::seed, kSeed, "of the light paths"),

@@ -93,9 +93,8 @@ TEST_CASE("a surface gives off its emission") {
 TEST_CASE("the box filter keeps an edge to the pixels that it crosses") {
     const auto shades = [&](const std::string& filter) {
         const render::Image image = sphere(
-            "spp: 64, background: [0, 0, 0], ground: none, light: {strength: 0}, material: {emission: [1, 1, "
-            "1]}, "
-            "filter: " +
+            "spp: 64, background: [0, 0, 0], ground: none, light: {strength: 0}, "
+            "material: {emission: [1, 1, 1]}, filter: " +
             filter);
         return static_cast<double>(std::count_if(image.pixels.begin(), image.pixels.end(),
                                                  [](float value) { return value > 0.0f && value < 1.0f; }));
