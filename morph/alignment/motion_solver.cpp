@@ -1,5 +1,9 @@
 #include "morph/alignment/motion_solver.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "morph/mesh/errors.h"
@@ -8,7 +12,8 @@ namespace automorph {
 
 namespace {
 
-constexpr double kResidual = 3e-3;  // relative; the rounds correct each other
+constexpr double kResidual = 3e-3;    // relative; the rounds correct each other
+constexpr double kNoSolution = 0.03;  // relative residual: such an answer is none
 constexpr int kMaxIterations = 60;
 constexpr int kQuick = 12;            // more iterations than this: time for a new factorisation
 constexpr double kLeastTrust = 1e-9;  // of the mean trust: keeps the factorisation definite
@@ -79,6 +84,8 @@ Points MotionSolver::solve(const Pulls& pulls, double omega, const Points& start
 
     if (omega != factorised_omega_) factorise(pulls, omega);
     Points u = start, r = rhs - apply(u), z;
+    // Not 0 where there is nothing to do.
+    const double pulled = std::max({rhs.norm(), r.norm(), std::numeric_limits<double>::min()});
     precondition(r, z);
     Points p = z;
     double rz = dot(r, z);
@@ -96,6 +103,15 @@ Points MotionSolver::solve(const Pulls& pulls, double omega, const Points& start
     }
     iterations_ += iteration;
     if (iteration > kQuick) factorised_omega_ = 0.0;  // a new one for the next call
+
+    // Computed anew: a residual that is carried along does not see what rounding takes from a stiff system.
+    const double left = (rhs - apply(u)).norm() / pulled;
+    if (!(left <= kNoSolution)) {
+        throw SolverFailure(
+            fmt::format("alignment: the prior is too stiff for doubles, {:.2g} of the pull remains after {} "
+                        "iterations; a smaller stiffness, membrane or bending helps",
+                        left, iteration));
+    }
     return u;
 }
 

@@ -26,7 +26,7 @@ public:
     explicit MotionSolver(Eigen::SparseMatrix<double> prior);
 
     /// @param start  a first guess, #V x 3
-    /// @throws SolverFailure the factorisation failed (numbers beyond doubles)
+    /// @throws SolverFailure  the factorisation failed, or omega is so large that rounding loses the pulls
     Points solve(const Pulls& pulls, double omega, const Points& start);
 
     int factorisations() const { return factorisations_; }

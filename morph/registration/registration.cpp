@@ -83,10 +83,10 @@ public:
     }
 
     // The polish alone, for the points of the source that lie nearest the target in the pose reached so far.
-    RigidMotion refine_present(RigidMotion motion, int max_iterations) const {
+    EmIcpResult refine_present(EmIcpResult refined, int max_iterations) const {
         const EmIcpOptions options{.max_iterations = max_iterations, .neighbours = kNeighbours};
         for (int round = 0; round < kPresentRounds; ++round) {
-            const Points moved = motion.apply(probes_.points);
+            const Points moved = refined.motion.apply(probes_.points);
             std::vector<std::pair<double, int>> order;
             for (int i = 0; i < probes_.size(); ++i) {
                 std::uint32_t nearest = 0;
@@ -99,11 +99,10 @@ public:
             std::vector<int> present;
             for (const auto& [squared_distance, i] : order) present.push_back(i);
             std::sort(present.begin(), present.end());
-            motion = polish_along_normals(probes_.points(present, Eigen::all), tree_, target_.normals, motion,
-                                          options)
-                         .motion;
+            refined = polish_along_normals(probes_.points(present, Eigen::all), tree_, target_.normals,
+                                           refined.motion, options);
         }
-        return motion;
+        return refined;
     }
 
 private:
@@ -124,6 +123,7 @@ struct Solution {
 struct SizedCandidate {
     double scale = 1.0;
     Candidate pose;
+    bool converged = false;
 };
 
 SizedCandidate refined_at(double scale, const RigidMotion& start, SurfaceSample source,
@@ -131,12 +131,11 @@ SizedCandidate refined_at(double scale, const RigidMotion& start, SurfaceSample 
     source.points *= scale;
     source.spacing *= scale;
     const Scene scene(source, target, points, certain);
-    SizedCandidate refined{scale, {scene.refine(start, max_iterations).motion, 0.0}};
-    refined.pose.distance = scene.distance(refined.pose.motion);
-    const RigidMotion present = scene.refine_present(refined.pose.motion, max_iterations);
-    if (const double distance = scene.distance(present); distance < refined.pose.distance)
-        refined.pose = {present, distance};
-    return refined;
+    const EmIcpResult whole = scene.refine(start, max_iterations);
+    const EmIcpResult present = scene.refine_present(whole, max_iterations);
+    const double distance = scene.distance(whole.motion), of_present = scene.distance(present.motion);
+    if (of_present < distance) return {scale, {present.motion, of_present}, present.converged};
+    return {scale, {whole.motion, distance}, whole.converged};
 }
 
 // The best of sizes step^k around the one given, each with its own motion. The sizes nearest are tried first,
@@ -176,7 +175,7 @@ SizedCandidate best_size(const SizedCandidate& from, double step, const SurfaceS
 // @param good_enough  a solution that is worse than this at the coarse sizes is not looked into any more
 Solution resized(Solution solution, const SurfaceSample& source, const SurfaceSample& target, int points,
                  int max_iterations, bool certain, double good_enough) {
-    SizedCandidate best{1.0, {solution.em.motion, solution.residual}};
+    SizedCandidate best{1.0, {solution.em.motion, solution.residual}, solution.em.converged};
     best = best_size(best, kCoarseSize, source, target, certain);
     if (best.pose.distance > good_enough) return solution;
     best = best_size(best, kFineSize, source, target, certain);
@@ -186,6 +185,7 @@ Solution resized(Solution solution, const SurfaceSample& source, const SurfaceSa
         return solution;
     solution.scale = best.scale;
     solution.em.motion = best.pose.motion;
+    solution.em.converged = best.converged;
     solution.residual = best.pose.distance;
     return solution;
 }

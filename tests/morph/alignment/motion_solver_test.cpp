@@ -4,6 +4,7 @@
 
 #include "morph/alignment/prior.h"
 #include "morph/mesh/connectivity.h"
+#include "morph/mesh/errors.h"
 #include "morph/shapes/random.h"
 #include "tests/catch.h"
 #include "tests/morph/parameterization/disks.h"
@@ -58,4 +59,30 @@ TEST_CASE("where all trust is isotropic the factorised system is the whole one")
     MotionSolver solver(prior.membrane + prior.bending);
     solver.solve(pulls, 0.3, Points::Zero(n, 3));
     CHECK(solver.iterations() == 1);
+}
+
+TEST_CASE("a prior beside which the pulls are lost in rounding is refused, a stiff one is not") {
+    const Mesh mesh = disks::dome(6, 0.4);
+    const int n = mesh.vertex_count();
+    const MotionPrior prior = motion_prior(mesh, boundary_loops(mesh, connectivity(mesh.F, n)));
+    Random random(6);
+    Pulls pulls{Points(n, 3), {}};
+    for (int i = 0; i < n; ++i) {
+        pulls.pull.row(i) = Eigen::RowVector3d(1.0, 2.0, 3.0) + 0.1 * random.in_ball<3>().transpose();
+        pulls.trust.push_back((1.0 + 0.1 * (i % 7)) * Eigen::Matrix3d::Identity());
+    }
+    MotionSolver solver(prior.membrane);
+    // The stiffer, the nearer to one shift for all: the mean of the pulls by their trust.
+    Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
+    double total = 0.0;
+    for (int i = 0; i < n; ++i) {
+        mean += (1.0 + 0.1 * (i % 7)) * pulls.pull.row(i);
+        total += 1.0 + 0.1 * (i % 7);
+    }
+    mean /= total;
+    const Points stiff = solver.solve(pulls, 1e6, Points::Zero(n, 3));
+    CHECK((stiff.rowwise() - mean).rowwise().norm().maxCoeff() < 0.02 * mean.norm());
+    for (const double omega : {1e18, 1e30}) {
+        CHECK_THROWS_AS(solver.solve(pulls, omega, Points::Zero(n, 3)), SolverFailure);
+    }
 }
