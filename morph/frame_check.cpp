@@ -58,8 +58,9 @@ FrameReport looked_at(const Morph& morph, Interpolation scheme, double alpha) {
     FrameReport report;
     report.alpha = alpha;
     report.reversed = reversed_triangles(frame.V, frame.F, morph.endpoints(), R, slerp(R, alpha));
-    const std::vector<char> crossing = self_intersecting(frame);
-    report.self_intersecting = static_cast<int>(std::count(crossing.begin(), crossing.end(), 1));
+    const SelfIntersections crossing = self_intersections(frame);
+    report.self_intersecting = crossing.triangles;
+    report.self_intersecting_estimated = crossing.estimated;
     report.area = triangle_areas(frame).sum();
     report.volume = signed_volume(frame);
     report.smallest_angle = smallest_angle(frame.V, frame.F);
@@ -114,9 +115,10 @@ Report report_with_frames(const Morph& morph, Interpolation scheme) {
         std::max(report.frames.front().self_intersecting, report.frames.back().self_intersecting);
     if (crossing.self_intersecting > ends + kManyCrossing * n) {
         report.notes.push_back(fmt::format(
-            "look at the frame at {}: {} triangles pass through others ({} and {} in the shapes themselves)",
-            crossing.alpha, crossing.self_intersecting, report.frames.front().self_intersecting,
-            report.frames.back().self_intersecting));
+            "look at the frame at {}: {}{} triangles pass through others ({} and {} in the shapes "
+            "themselves)",
+            crossing.alpha, crossing.self_intersecting_estimated ? "some " : "", crossing.self_intersecting,
+            report.frames.front().self_intersecting, report.frames.back().self_intersecting));
     }
     const FrameReport& thin = worst(report.frames, [](const auto& f) { return -f.area_ratio; });
     if (thin.area_ratio < kLeastArea) {

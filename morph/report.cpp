@@ -103,6 +103,7 @@ Json json(const FrameReport& frame) {
     return {{"alpha", frame.alpha},
             {"reversed", frame.reversed},
             {"self_intersecting", frame.self_intersecting},
+            {"self_intersecting_estimated", frame.self_intersecting_estimated},
             {"area", frame.area},
             {"volume", frame.volume},
             {"area_ratio", frame.area_ratio},

@@ -97,8 +97,9 @@ struct OverlayReport {
 /// What a frame looks like (frame_check.h).
 struct FrameReport {
     double alpha = 0;
-    int reversed = 0;           ///< triangles that face against both ends
-    int self_intersecting = 0;  ///< triangles that pass through others
+    int reversed = 0;                          ///< triangles that face against both ends
+    int self_intersecting = 0;                 ///< triangles that pass through others
+    bool self_intersecting_estimated = false;  ///< from a sample: too many lie about one another
     double area = 0,
            volume = 0;  ///< scene units; the volume of open shapes is that of the cone to their centre
     double area_ratio = 1, volume_ratio = 1;  ///< to what lies between the ends, lengths interpolated

@@ -14,6 +14,7 @@ using Matrix = Eigen::SparseMatrix<double>;
 
 constexpr double kLargestCotangent = 1e3;
 constexpr double kSmallestMass = 1e-3;    // of the mean
+constexpr int kHub = 200;                 // neighbours: a vertex with more bends freely
 constexpr double kSmallestLength = 1e-3;  // of the mean border edge
 
 /// sum over edges of w_ij |u_i - u_j|^2 as a matrix, from entries (i, j, w) with each edge once or more.
@@ -87,7 +88,9 @@ MotionPrior motion_prior(const Mesh& mesh, const std::vector<std::vector<int>>& 
     for (const std::vector<int>& loop : loops) {
         for (const int v : loop) inverse_mass[v] = 0.0;
     }
-    const Matrix weighted = inverse_mass.asDiagonal() * prior.membrane;
+    Matrix weighted = inverse_mass.asDiagonal() * prior.membrane;
+    // The tip of a fan would tie every two of its neighbours, and the factor of thousands is a full matrix.
+    weighted.prune([&](int row, int, double) { return prior.membrane.col(row).nonZeros() <= kHub + 1; });
     prior.bending = prior.membrane * weighted;
     return prior;
 }

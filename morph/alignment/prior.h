@@ -11,10 +11,10 @@ namespace automorph {
 /// #V x #V matrix with the constants in its kernel.
 struct MotionPrior {
     Eigen::SparseMatrix<double> membrane;  ///< cotangent Laplacian L: integral of |grad u|^2, no unit
-    Eigen::SparseMatrix<double>
-        bending;                         ///< L_in^T M^-1 L_in: integral of (laplace u)^2, per squared length;
-                                         ///< rows of L at inner vertices only: the border bends freely
-    Eigen::SparseMatrix<double> border;  ///< along the loops: integral of |u'|^2, per length
+    Eigen::SparseMatrix<double> bending;   ///< L_in^T M^-1 L_in: integral of (laplace u)^2, per squared
+                                           ///< length; rows of L at inner vertices only: the border bends
+                                           ///< freely, and so does a hub of more than 200 neighbours
+    Eigen::SparseMatrix<double> border;    ///< along the loops: integral of |u'|^2, per length
 };
 
 /// The priors of a mesh in the given shape; `loops` as from boundary_loops.

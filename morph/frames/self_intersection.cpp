@@ -12,6 +12,8 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "morph/mesh/errors.h"
 
@@ -25,6 +27,8 @@ using Corners = std::array<Vector3d, 3>;
 /// A volume below this share of the product of its edges' lengths is flat: slivers of one facet, whose
 /// corners are rounded, do not cross.
 constexpr double kFlat = 1e-9;
+constexpr int kProbes = 256;           // triangles that tell how many pairs there are
+constexpr double kPairsOfEach = 64.0;  // more than on any sound surface
 
 /// Sign of the volume of a, b, c, d.
 int side(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
@@ -33,89 +37,169 @@ int side(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d
     return (volume > least) - (volume < -least);
 }
 
-/// Does the inside of segment pq cross the inside of the triangle?
+/// On which side of the triangle t the corners of u lie.
+std::array<int, 3> sides(const Corners& t, const Corners& u) {
+    const Vector3d v = t[1] - t[0], w = t[2] - t[0], normal = v.cross(w);
+    const double least = kFlat * v.norm() * w.norm();
+    std::array<int, 3> result;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vector3d d = u[k] - t[0];
+        const double volume = normal.dot(d), flat = least * d.norm();
+        result[k] = (volume > flat) - (volume < -flat);
+    }
+    return result;
+}
+
+/// Does the inside of segment pq, whose ends lie on two sides of the triangle, cross the inside of it?
 bool crosses(const Vector3d& p, const Vector3d& q, const Corners& t) {
-    if (side(t[0], t[1], t[2], p) * side(t[0], t[1], t[2], q) >= 0) return false;
     const int s = side(p, q, t[0], t[1]);
     return s != 0 && s == side(p, q, t[1], t[2]) && s == side(p, q, t[2], t[0]);
 }
 
-bool cross(const Corners& t, const Corners& u) {
+/// Does an edge of u cross the inside of t?
+bool pierces(const Corners& u, const Corners& t) {
+    const std::array<int, 3> at = sides(t, u);
     for (std::size_t k = 0; k < 3; ++k) {
-        if (crosses(t[k], t[(k + 1) % 3], u) || crosses(u[k], u[(k + 1) % 3], t)) return true;
+        const std::size_t next = (k + 1) % 3;
+        if (at[k] * at[next] < 0 && crosses(u[k], u[next], t)) return true;
     }
     return false;
 }
 
-struct Search {
-    const Mesh& mesh;
-    std::vector<std::atomic<char>> crossing;
-
-    Corners corners(int f) const {
-        return {mesh.V.row(mesh.F(f, 0)), mesh.V.row(mesh.F(f, 1)), mesh.V.row(mesh.F(f, 2))};
-    }
-    bool adjacent(int f, int g) const {
-        for (int i = 0; i < 3; ++i) {
-            for (int j = 0; j < 3; ++j) {
-                if (mesh.F(f, i) == mesh.F(g, j)) return true;
-            }
-        }
-        return false;
-    }
-};
-
-void bound(const RTCBoundsFunctionArguments* arguments) {
-    const auto& search = *static_cast<const Search*>(arguments->geometryUserPtr);
-    const Corners t = search.corners(static_cast<int>(arguments->primID));
-    const Vector3d low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
-    // Rounded outwards to floats.
-    constexpr float kBeyond = std::numeric_limits<float>::infinity();
-    const auto down = [](double x) { return std::nextafter(static_cast<float>(x), -kBeyond); };
-    const auto up = [](double x) { return std::nextafter(static_cast<float>(x), kBeyond); };
-    RTCBounds& box = *arguments->bounds_o;
-    box.lower_x = down(low.x());
-    box.lower_y = down(low.y());
-    box.lower_z = down(low.z());
-    box.upper_x = up(high.x());
-    box.upper_y = up(high.y());
-    box.upper_z = up(high.z());
+bool cross(const Corners& t, const Corners& u) {
+    return pierces(t, u) || pierces(u, t);
 }
 
-void collide(void* user, RTCCollision* collisions, unsigned count) {
-    Search& search = *static_cast<Search*>(user);
-    for (unsigned k = 0; k < count; ++k) {
-        const int f = static_cast<int>(collisions[k].primID0), g = static_cast<int>(collisions[k].primID1);
-        if (f == g || search.adjacent(f, g)) continue;
-        auto &of_f = search.crossing[static_cast<std::size_t>(f)],
-             &of_g = search.crossing[static_cast<std::size_t>(g)];
-        if ((of_f && of_g) || !cross(search.corners(f), search.corners(g))) continue;
-        of_f = of_g = 1;
+Corners corners(const Mesh& mesh, int f) {
+    return {mesh.V.row(mesh.F(f, 0)), mesh.V.row(mesh.F(f, 1)), mesh.V.row(mesh.F(f, 2))};
+}
+
+/// Do they share a vertex?
+bool adjacent(const Mesh& mesh, int f, int g) {
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            if (mesh.F(f, i) == mesh.F(g, j)) return true;
+        }
     }
+    return false;
+}
+
+/// A device of Embree's that works in one thread: the caller's threads have frames of their own.
+class Device {
+public:
+    Device() : device_(rtcNewDevice("threads=1")) {
+        if (!device_) throw SolverFailure("self-intersections: Embree could not be started");
+    }
+    ~Device() { rtcReleaseDevice(device_); }
+    Device(const Device&) = delete;
+    operator RTCDevice() const { return device_; }
+
+private:
+    RTCDevice device_;
+};
+
+/// Boxes of some of a mesh's triangles, as a tree.
+class Boxes {
+public:
+    Boxes(const Device& device, const Mesh& mesh, std::vector<int> triangles)
+        : mesh_(mesh), triangles_(std::move(triangles)), scene_(rtcNewScene(device)) {
+        const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+        rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(triangles_.size()));
+        rtcSetGeometryUserData(geometry, this);
+        rtcSetGeometryBoundsFunction(
+            geometry,
+            [](const RTCBoundsFunctionArguments* a) {
+                static_cast<const Boxes*>(a->geometryUserPtr)->bound(a->primID, *a->bounds_o);
+            },
+            nullptr);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene_, geometry);
+        rtcReleaseGeometry(geometry);
+        rtcCommitScene(scene_);
+        if (rtcGetDeviceError(device) == RTC_ERROR_NONE) return;
+        rtcReleaseScene(scene_);
+        throw SolverFailure("self-intersections: Embree could not build its tree");
+    }
+    ~Boxes() { rtcReleaseScene(scene_); }
+    Boxes(const Boxes&) = delete;
+
+    const std::vector<int>& triangles() const { return triangles_; }
+
+    /// Calls visit(f, g) for triangles f of these boxes and g of the others where the boxes overlap, from
+    /// several threads.
+    template <class Visit>
+    void for_overlaps(const Boxes& others, const Visit& visit) const {
+        struct Pass {
+            const Boxes &of, &others;
+            const Visit& visit;
+        } pass{*this, others, visit};
+        rtcCollide(
+            scene_, others.scene_,
+            [](void* user, RTCCollision* found, unsigned count) {
+                const Pass& p = *static_cast<const Pass*>(user);
+                for (unsigned k = 0; k < count; ++k)
+                    p.visit(p.of.triangles_[found[k].primID0], p.others.triangles_[found[k].primID1]);
+            },
+            &pass);
+    }
+
+private:
+    void bound(unsigned primitive, RTCBounds& box) const {
+        const Corners t = corners(mesh_, triangles_[primitive]);
+        const Vector3d low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
+        // Rounded outwards to floats.
+        constexpr float kBeyond = std::numeric_limits<float>::infinity();
+        const auto down = [](double x) { return std::nextafter(static_cast<float>(x), -kBeyond); };
+        const auto up = [](double x) { return std::nextafter(static_cast<float>(x), kBeyond); };
+        box.lower_x = down(low.x());
+        box.lower_y = down(low.y());
+        box.lower_z = down(low.z());
+        box.upper_x = up(high.x());
+        box.upper_y = up(high.y());
+        box.upper_z = up(high.z());
+    }
+
+    const Mesh& mesh_;
+    std::vector<int> triangles_;
+    RTCScene scene_;
+};
+
+/// Of n triangles, `count` at equal steps.
+std::vector<int> sample(int n, int count) {
+    std::vector<int> triangles;
+    for (long k = 0; k < count; ++k) triangles.push_back(static_cast<int>(k * n / count));
+    return triangles;
+}
+
+/// How many of the triangles in `some` pass through others.
+int crossing(const Mesh& mesh, const Boxes& some, const Boxes& all) {
+    std::vector<std::atomic<char>> crosses(static_cast<std::size_t>(mesh.triangle_count()));
+    some.for_overlaps(all, [&](int f, int g) {
+        auto &f_crosses = crosses[static_cast<std::size_t>(f)],
+             &g_crosses = crosses[static_cast<std::size_t>(g)];
+        if (f == g || (f_crosses && g_crosses) || adjacent(mesh, f, g)) return;
+        if (cross(corners(mesh, f), corners(mesh, g))) f_crosses = g_crosses = 1;
+    });
+    return static_cast<int>(std::count_if(some.triangles().begin(), some.triangles().end(),
+                                          [&](int f) { return crosses[static_cast<std::size_t>(f)] != 0; }));
 }
 
 }  // namespace
 
-std::vector<char> self_intersecting(const Mesh& mesh) {
-    const auto n = static_cast<std::size_t>(mesh.triangle_count());
-    Search search{mesh, std::vector<std::atomic<char>>(n)};
-    const RTCDevice device = rtcNewDevice("threads=1");
-    if (!device) throw SolverFailure("self-intersections: Embree could not be started");
-    const RTCScene scene = rtcNewScene(device);
-    const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
-    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(n));
-    rtcSetGeometryUserData(geometry, &search);
-    rtcSetGeometryBoundsFunction(
-        geometry, [](const RTCBoundsFunctionArguments* a) { bound(a); }, nullptr);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(scene);
-    const bool built = rtcGetDeviceError(device) == RTC_ERROR_NONE;
-    if (built) rtcCollide(scene, scene, collide, &search);
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-    if (!built) throw SolverFailure("self-intersections: Embree could not build its tree");
-    return {search.crossing.begin(), search.crossing.end()};
+SelfIntersections self_intersections(const Mesh& mesh, double most_pairs) {
+    const int n = mesh.triangle_count();
+    if (n == 0) return {};
+    const Device device;
+    const Boxes all(device, mesh, sample(n, n)), few(device, mesh, sample(n, std::min(n, kProbes)));
+    std::atomic<long> overlaps = 0;
+    few.for_overlaps(all, [&](int, int) { ++overlaps; });
+    const double of_each = static_cast<double>(overlaps) / static_cast<double>(few.triangles().size());
+    if (0.5 * of_each <= std::max(most_pairs / n, kPairsOfEach)) return {crossing(mesh, all, all), false};
+
+    const int looked_at = static_cast<int>(std::clamp(most_pairs / of_each, 1.0, static_cast<double>(n)));
+    const Boxes some(device, mesh, sample(n, looked_at));
+    const double share = static_cast<double>(crossing(mesh, some, all)) / looked_at;
+    return {static_cast<int>(std::lround(share * n)), true};
 }
 
 }  // namespace automorph

@@ -20,7 +20,8 @@ Json frame_json(const FrameReport& frame) {
             {"volume_ratio", frame.volume_ratio},
             {"smallest_angle_degrees", frame.smallest_angle},
             {"reversed_triangles", frame.reversed},
-            {"self_intersecting_triangles", frame.self_intersecting}};
+            {"self_intersecting_triangles", frame.self_intersecting},
+            {"self_intersecting_estimated", frame.self_intersecting_estimated}};
 }
 
 Json clip_json(const Clip& clip) {

@@ -75,3 +75,18 @@ TEST_CASE("slivers and triangles without area leave the priors positive and fini
         CHECK(eigenvalues.minCoeff() > -1e-9 * eigenvalues.maxCoeff());
     }
 }
+
+TEST_CASE("the tip of a fan does not tie all of its neighbours to one another") {
+    const int n = 3000;
+    Mesh fan{Points(n + 1, 3), Triangles(n, 3)};
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / n;
+        fan.V.row(i) << std::cos(angle), std::sin(angle), 0.0;
+        fan.F.row(i) << i, (i + 1) % n, n;
+    }
+    fan.V.row(n) << 0.0, 0.0, 1.0;
+    const MotionPrior prior = motion_prior(fan, {});
+    CHECK(prior.bending.nonZeros() < 20 * n);  // n^2 if it did
+    CHECK((prior.bending * Eigen::VectorXd::Ones(n + 1)).cwiseAbs().maxCoeff() <
+          1e-9 * prior.bending.coeffs().cwiseAbs().maxCoeff());
+}

@@ -2,8 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "morph/frames/self_intersection.h"
+#include "morph/shapes/random.h"
 #include "morph/shapes/shapes.h"
 #include "tests/catch.h"
 
@@ -12,8 +14,9 @@ using namespace automorph;
 namespace {
 
 int crossing(const Mesh& mesh) {
-    const std::vector<char> flags = self_intersecting(mesh);
-    return static_cast<int>(std::count(flags.begin(), flags.end(), 1));
+    const SelfIntersections found = self_intersections(mesh);
+    CHECK_FALSE(found.estimated);
+    return found.triangles;
 }
 
 Mesh joined(const Mesh& a, const Mesh& b) {
@@ -55,6 +58,28 @@ TEST_CASE("a sphere does not cross itself, two that overlap cross along a ring")
     CHECK(both < 500);
     other.V.col(0).array() += 1.5;
     CHECK(crossing(joined(ball, other)) == 0);
+}
+
+TEST_CASE("where too many boxes overlap the count is an estimate, and says so") {
+    // Triangles of random corners: nearly all pass through others.
+    Random random(3);
+    Mesh tangle{Points(3 * 3000, 3), Triangles(3000, 3)};
+    for (int v = 0; v < tangle.V.rows(); ++v) tangle.V.row(v) = random.in_ball<3>();
+    for (int f = 0; f < 3000; ++f) tangle.F.row(f) << 3 * f, 3 * f + 1, 3 * f + 2;
+    const SelfIntersections all = self_intersections(tangle), some = self_intersections(tangle, 1e5);
+    CHECK_FALSE(all.estimated);
+    CHECK(all.triangles > 2900);
+    CHECK(some.estimated);
+    CHECK(std::abs(some.triangles - all.triangles) < 100);
+
+    // One in two, by place: half of them far apart, each alone.
+    for (int f = 0; f < 3000; f += 2) {
+        for (int k = 0; k < 3; ++k) tangle.V(3 * f + k, 0) += 10.0 * (f + 1);
+    }
+    const SelfIntersections half = self_intersections(tangle, 1e5);
+    CHECK(half.estimated);
+    CHECK(half.triangles > 1200);
+    CHECK(half.triangles < 1800);
 }
 
 TEST_CASE("a shape and its turned copy: frames are clean, and nothing is noted") {
