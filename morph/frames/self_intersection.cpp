@@ -186,9 +186,13 @@ int crossing(const Mesh& mesh, const Boxes& some, const Boxes& all) {
 
 }  // namespace
 
-SelfIntersections self_intersections(const Mesh& mesh, double most_pairs) {
-    const int n = mesh.triangle_count();
+SelfIntersections self_intersections(const Mesh& given, double most_pairs) {
+    const int n = given.triangle_count();
     if (n == 0) return {};
+    // About the origin and of size 1: Embree's boxes are of floats.
+    const Eigen::RowVector3d low = given.V.colwise().minCoeff(), high = given.V.colwise().maxCoeff();
+    const double size = std::max((high - low).maxCoeff(), std::numeric_limits<double>::min());
+    const Mesh mesh{(given.V.rowwise() - 0.5 * (low + high)) / size, given.F};
     const Device device;
     const Boxes all(device, mesh, sample(n, n)), few(device, mesh, sample(n, std::min(n, kProbes)));
     std::atomic<long> overlaps = 0;

@@ -82,6 +82,18 @@ TEST_CASE("where too many boxes overlap the count is an estimate, and says so") 
     CHECK(half.triangles < 1800);
 }
 
+TEST_CASE("where a mesh lies and how large it is makes no difference to what crosses") {
+    const Mesh ball = ellipsoid({1, 1, 1}, {.triangles = 2000});
+    Mesh other = ball;
+    other.V.col(0).array() += 0.7;
+    const Mesh both = joined(ball, other);
+    const int here = crossing(both);
+    for (const double scale : {1e-150, 1e150}) CHECK(crossing({scale * both.V, both.F}) == here);
+    // Floats at 1e9 are 64 apart.
+    CHECK(std::abs(crossing({both.V.array() + 1e9, both.F}) - here) < 0.1 * here);
+    CHECK(crossing({ball.V.array() + 1e9, ball.F}) == 0);
+}
+
 TEST_CASE("a shape and its turned copy: frames are clean, and nothing is noted") {
     const Mesh a = star({.arms = 4, .inner = 0.6, .depth = 0.5}, {.triangles = 2000, .seed = 1});
     Mesh b = a;
