@@ -18,12 +18,17 @@ using On = Place::On;
 class Walker {
 public:
     Walker(const MapView& map, const Ray& p, const Ray& q, Place end, std::vector<Stretch>& out)
-        : map_(map), mesh_(map.half_edges), p_(p), q_(q), end_(end), out_(out) {}
+        : map_(map),
+          mesh_(map.half_edges),
+          p_(p),
+          q_(q),
+          end_(end),
+          out_(out),
+          longest_(out.size() + 2 * static_cast<std::size_t>(mesh_.count()) + 2) {}
 
     /// Appends the stretches of p -> q and returns the place of q.
     Place run(Place start) {
         Place here = start;
-        const std::size_t longest = out_.size() + 2 * static_cast<std::size_t>(mesh_.count()) + 2;
         for (bool done = false; !done;) {
             entry_ = -1;
             switch (here.on) {
@@ -39,7 +44,6 @@ public:
             }
             while (!done && entry_ >= 0) done = cross_face(entry_);
             here = out_.back().stop;
-            if (out_.size() > longest) outside();
         }
         if (here.on == On::Edge) here.index = mesh_.edge(here.index);
         return here;
@@ -60,7 +64,10 @@ private:
             "overlay: an edge of one map leaves the other: the maps do not cover the same domain");
     }
 
-    void stop(int left, int right, On on, int index) { out_.push_back({left, right, {on, index}}); }
+    void stop(int left, int right, On on, int index) {
+        if (out_.size() == longest_) outside();  // round and round in maps that are not one-to-one
+        out_.push_back({left, right, {on, index}});
+    }
 
     /// From vertex v, either along an edge or into a triangle. Returns true at q.
     bool leave_vertex(int v) {
@@ -159,6 +166,7 @@ private:
     const Ray p_, q_;
     const Place end_;
     std::vector<Stretch>& out_;
+    const std::size_t longest_;
     int entry_ = -1;  ///< the half-edge by which the next triangle is entered, if an edge was crossed
 };
 

@@ -117,6 +117,22 @@ int flipped_triangles(const Triangles& F, const Points& rays) {
     return flipped;
 }
 
+int covering_degree(const Triangles& F, const Points& rays) {
+    // Triangles that contain a direction; another one is tried where it lies on an edge.
+    for (double turn = 1.0;; ++turn) {
+        const Ray probe = Ray(std::cos(turn), std::sin(turn), std::sin(2.5 * turn));
+        int inside = 0, on_edges = 0;
+        for (int f = 0; f < F.rows() && on_edges == 0; ++f) {
+            int least = 1;
+            for (int k = 0; k < 3 && least >= 0; ++k)
+                least = std::min(least, orientation(rays.row(F(f, k)), rays.row(F(f, (k + 1) % 3)), probe));
+            inside += least > 0;
+            on_edges += least == 0;
+        }
+        if (on_edges == 0) return inside;
+    }
+}
+
 MapQuality map_quality(const Mesh& mesh, const Points& rays) {
     std::vector<double> areas;
     areas.reserve(static_cast<std::size_t>(mesh.triangle_count()));

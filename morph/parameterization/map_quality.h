@@ -33,6 +33,10 @@ MapQuality sphere_map_quality(const Mesh& mesh, const Points& rays);
 /// covered.
 double total_solid_angle(const Triangles& F, const Points& rays);
 
+/// How many times a closed mesh without flipped triangles covers the sphere, by the exact predicate: only
+/// once is one-to-one. Positive triangles alone may go twice around a vertex.
+int covering_degree(const Triangles& F, const Points& rays);
+
 /// Triangles with det <= 0, by the exact predicate; for any rays.
 int flipped_triangles(const Triangles& F, const Points& rays);
 

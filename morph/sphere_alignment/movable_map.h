@@ -18,7 +18,9 @@ public:
     Points rays() const { return relaxation_.rays.topRows(mesh_.vertex_count()); }
 
     /// Moves all vertices but those of the border towards `wanted` (#V x 3, unit vectors) as far as the map
-    /// stays valid (guarded_move.h). Returns those that did not get there.
+    /// stays valid (guarded_move.h), and covers the sphere once: all triangles may be positive, with vertices
+    /// gone round twice. Returns those that did not get there.
+    /// @throws SolverFailure  the map covered the sphere more than once before
     std::vector<int> move(const Points& wanted);
 
     /// The same in several rounds with relaxing sweeps in between, which make room; vertices that do not get

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "morph/mesh/connectivity.h"
+#include "morph/mesh/errors.h"
 #include "morph/parameterization/border_union.h"
 #include "morph/parameterization/map_quality.h"
 #include "morph/parameterization/sphere_border.h"
@@ -84,6 +85,33 @@ TEST_CASE(
     CHECK(guarded.shortened > 0);
     CHECK(total_solid_angle(mesh.F, guarded.rays) == Approx(4.0 * std::numbers::pi));
     for (int v = 1; v < 10; ++v) CHECK(guarded.rays.row(v) == rays.row(v));  // who is to stay stays
+}
+
+TEST_CASE("a map does not go twice around the sphere, though no triangle flips") {
+    constexpr int kRing = 12;
+    Mesh mesh{Points(kRing + 2, 3), Triangles(2 * kRing, 3)};  // a double cone over a ring
+    Points twice(kRing + 2, 3);
+    for (int k = 0; k < kRing; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / kRing;
+        mesh.V.row(k) << std::cos(angle), std::sin(angle), 0.0;
+        twice.row(k) << std::cos(2.0 * angle), std::sin(2.0 * angle), 0.0;
+        mesh.F.row(2 * k) << k, (k + 1) % kRing, kRing;
+        mesh.F.row(2 * k + 1) << (k + 1) % kRing, k, kRing + 1;
+    }
+    mesh.V.bottomRows(2) << 0, 0, 1, 0, 0, -1;
+    twice.bottomRows(2) = mesh.V.bottomRows(2);
+    REQUIRE(flipped_triangles(mesh.F, twice) == 0);
+    CHECK(covering_degree(mesh.F, mesh.V) == 1);
+    CHECK(covering_degree(mesh.F, twice) == 2);
+
+    MovableMap map(mesh, kNoLoop, mesh.V);
+    map.move(twice);
+    CHECK(flipped_triangles(mesh.F, map.rays()) == 0);
+    CHECK(covering_degree(mesh.F, map.rays()) == 1);
+    map.follow(twice);
+    CHECK(covering_degree(mesh.F, map.rays()) == 1);
+    MovableMap covers_twice(mesh, kNoLoop, twice);
+    CHECK_THROWS_AS(covers_twice.move(twice), SolverFailure);
 }
 
 TEST_CASE("a map follows another all the way, and as far as it can where that one is folded") {
