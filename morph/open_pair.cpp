@@ -1,5 +1,7 @@
 #include "morph/open_pair.h"
 
+#include <algorithm>
+
 #include "morph/mesh/connectivity.h"
 #include "morph/overlay/lift.h"
 #include "morph/parameterization/border_control.h"
@@ -40,8 +42,10 @@ OpenPair open_pair(const Mesh& source, const Mesh& target, const Registration* r
         ReversedTarget reversed = reversed_target(target, target_loops[0], control);
         pair.target_mesh = std::move(reversed.mesh);
         control = reversed.control;
-        target_loops = boundary_loops(pair.target_mesh);
         target_loops[0] = std::move(reversed.loop);
+        // Not asked for anew: of two that are equally long either may come first.
+        for (std::size_t k = 1; k < target_loops.size(); ++k)
+            std::reverse(target_loops[k].begin() + 1, target_loops[k].end());
         pair.target_reversed = true;
     }
     pair.border = border_union(loop_points(source, source_loops[0]),

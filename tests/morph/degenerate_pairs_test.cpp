@@ -202,6 +202,31 @@ TEST_CASE("short borders go onto the sphere and keep their places") {
     CHECK(result.report().maps[0].p01 > 0.01);
 }
 
+TEST_CASE("two equally long rims, and a border that runs the other way") {
+    constexpr int kCorners = 30, kRings = 10;
+    Mesh pipe{Points(kCorners * kRings, 3), Triangles(2 * kCorners * (kRings - 1), 3)};
+    for (int i = 0, f = 0; i < kRings; ++i) {
+        for (int k = 0; k < kCorners; ++k) {
+            const double angle = 2.0 * M_PI * k / kCorners;
+            pipe.V.row(i * kCorners + k) << std::cos(angle), std::sin(angle), 0.3 * i;
+            if (i + 1 == kRings) continue;
+            const int a = i * kCorners + k, b = i * kCorners + (k + 1) % kCorners;
+            pipe.F.row(f++) << a, b, b + kCorners;
+            pipe.F.row(f++) << a, b + kCorners, a + kCorners;
+        }
+    }
+    Mesh inside_out = pipe;
+    inside_out.F.col(1).swap(inside_out.F.col(2));
+    const Mesh bowl = lopsided(0.3);
+    int reversed = 0;
+    for (const Mesh& target : {pipe, inside_out}) {
+        const Morph result = checked(bowl, target);
+        reversed += result.report().target_reversed;
+        CHECK(result.report().target.boundary_loops == 2);
+    }
+    CHECK(reversed >= 1);
+}
+
 TEST_CASE("a spring, which planes cut many times, is morphed on the sphere", "[sweep]") {
     CHECK(checked(spring(), lopsided(0.0)).report().domain == "sphere");
 }
