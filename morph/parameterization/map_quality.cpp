@@ -18,6 +18,8 @@ namespace {
 /// Share of the surface below p01.
 constexpr double kPercentile = 0.01;
 
+constexpr double kMostProbes = 100.0;  // directions; only rays that are not numbers get there
+
 constexpr double kCollapsed = std::numeric_limits<double>::infinity();
 
 /// Twice the signed area in the plane z = 1. Differences of near points are exact, so that thin triangles are
@@ -119,8 +121,8 @@ int flipped_triangles(const Triangles& F, const Points& rays) {
 
 int covering_degree(const Triangles& F, const Points& rays) {
     // Triangles that contain a direction; another one is tried where it lies on an edge.
-    for (double turn = 1.0;; ++turn) {
-        const Ray probe = Ray(std::cos(turn), std::sin(turn), std::sin(2.5 * turn));
+    for (double turn = 1.0; turn < kMostProbes; ++turn) {
+        const Ray probe(std::cos(turn), std::sin(turn), std::sin(2.5 * turn));
         int inside = 0, on_edges = 0;
         for (int f = 0; f < F.rows() && on_edges == 0; ++f) {
             int least = 1;
@@ -131,6 +133,7 @@ int covering_degree(const Triangles& F, const Points& rays) {
         }
         if (on_edges == 0) return inside;
     }
+    return 0;
 }
 
 MapQuality map_quality(const Mesh& mesh, const Points& rays) {

@@ -34,7 +34,7 @@ MapQuality sphere_map_quality(const Mesh& mesh, const Points& rays);
 double total_solid_angle(const Triangles& F, const Points& rays);
 
 /// How many times a closed mesh without flipped triangles covers the sphere, by the exact predicate: only
-/// once is one-to-one. Positive triangles alone may go twice around a vertex.
+/// once is one-to-one. Positive triangles alone may go twice around a vertex. 0: the rays are no numbers.
 int covering_degree(const Triangles& F, const Points& rays);
 
 /// Triangles with det <= 0, by the exact predicate; for any rays.
