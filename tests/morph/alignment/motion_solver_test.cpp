@@ -1,6 +1,7 @@
 #include "morph/alignment/motion_solver.h"
 
 #include <Eigen/Dense>
+#include <cstdint>
 
 #include "morph/alignment/prior.h"
 #include "morph/mesh/connectivity.h"
@@ -10,6 +11,21 @@
 #include "tests/morph/parameterization/disks.h"
 
 using namespace automorph;
+
+namespace {
+
+/// Random pulls, each trusted alike in all directions, but not all alike.
+Pulls isotropic_pulls(int n, std::uint64_t seed) {
+    Random random(seed);
+    Pulls pulls{Points(n, 3), {}};
+    for (int i = 0; i < n; ++i) {
+        pulls.pull.row(i) = random.in_ball<3>();
+        pulls.trust.push_back((1.0 + 0.1 * (i % 7)) * Eigen::Matrix3d::Identity());
+    }
+    return pulls;
+}
+
+}  // namespace
 
 TEST_CASE("the solution is that of the dense system") {
     const Mesh mesh = disks::dome(6, 0.4);
@@ -50,12 +66,7 @@ TEST_CASE("where all trust is isotropic the factorised system is the whole one")
     const Mesh mesh = disks::dome(6, 0.4);
     const int n = mesh.vertex_count();
     const MotionPrior prior = motion_prior(mesh, boundary_loops(mesh, connectivity(mesh.F, n)));
-    Random random(5);
-    Pulls pulls{Points(n, 3), {}};
-    for (int i = 0; i < n; ++i) {
-        pulls.pull.row(i) = random.in_ball<3>();
-        pulls.trust.push_back((1.0 + 0.1 * (i % 7)) * Eigen::Matrix3d::Identity());
-    }
+    const Pulls pulls = isotropic_pulls(n, 5);
     MotionSolver solver(prior.membrane + prior.bending);
     solver.solve(pulls, 0.3, Points::Zero(n, 3));
     CHECK(solver.iterations() == 1);
@@ -65,19 +76,16 @@ TEST_CASE("a prior beside which the pulls are lost in rounding is refused, a sti
     const Mesh mesh = disks::dome(6, 0.4);
     const int n = mesh.vertex_count();
     const MotionPrior prior = motion_prior(mesh, boundary_loops(mesh, connectivity(mesh.F, n)));
-    Random random(6);
-    Pulls pulls{Points(n, 3), {}};
-    for (int i = 0; i < n; ++i) {
-        pulls.pull.row(i) = Eigen::RowVector3d(1.0, 2.0, 3.0) + 0.1 * random.in_ball<3>().transpose();
-        pulls.trust.push_back((1.0 + 0.1 * (i % 7)) * Eigen::Matrix3d::Identity());
-    }
+    Pulls pulls = isotropic_pulls(n, 6);
+    pulls.pull = (0.1 * pulls.pull).rowwise() + Eigen::RowVector3d(1.0, 2.0, 3.0);
     MotionSolver solver(prior.membrane);
     // The stiffer, the nearer to one shift for all: the mean of the pulls by their trust.
     Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
     double total = 0.0;
     for (int i = 0; i < n; ++i) {
-        mean += (1.0 + 0.1 * (i % 7)) * pulls.pull.row(i);
-        total += 1.0 + 0.1 * (i % 7);
+        const double trust = pulls.trust[static_cast<std::size_t>(i)](0, 0);
+        mean += trust * pulls.pull.row(i);
+        total += trust;
     }
     mean /= total;
     const Points stiff = solver.solve(pulls, 1e6, Points::Zero(n, 3));
