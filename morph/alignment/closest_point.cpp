@@ -1,11 +1,5 @@
 #include "morph/alignment/closest_point.h"
 
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -13,6 +7,7 @@
 
 #include "morph/mesh/errors.h"
 #include "morph/mesh/geometry.h"
+#include "morph/mesh/search_tree.h"
 
 namespace automorph {
 
@@ -87,52 +82,34 @@ bool visit(RTCPointQueryFunctionArguments* arguments) {
 }  // namespace
 
 struct ClosestPoints::Tree {
-    Mesh mesh;  // about its centre, in units of its size
+    UnitFrame frame;
+    Mesh mesh;  // in that frame
     Points normals;
-    Eigen::RowVector3d centre;
-    double size;
-    RTCDevice device = nullptr;
-    RTCScene scene = nullptr;
+    SearchDevice device{"alignment"};
+    SearchTree tree;
 
-    explicit Tree(const Mesh& of) {
-        const Eigen::RowVector3d low = of.V.colwise().minCoeff(), high = of.V.colwise().maxCoeff();
-        centre = 0.5 * (low + high);
-        size = std::max((high - low).norm(), std::numeric_limits<double>::min());
-        mesh = {(of.V.rowwise() - centre) / size, of.F};
+    explicit Tree(const Mesh& of) : frame(of.V), mesh{frame.in(of.V), of.F} {
         normals.resize(mesh.F.rows(), 3);
         for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
             normals.row(f) = doubled_area_vector(mesh.V, mesh.F, f).stableNormalized();
         build();
     }
 
-    ~Tree() {
-        if (scene) rtcReleaseScene(scene);
-        if (device) rtcReleaseDevice(device);
-    }
-
     void build() {
-        device = rtcNewDevice("threads=1");
-        if (!device) throw SolverFailure("alignment: Embree could not be started");
-        scene = rtcNewScene(device);
-        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-        const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+        const RTCGeometry geometry = device.geometry(RTC_GEOMETRY_TYPE_TRIANGLE);
         auto* vertices = static_cast<float*>(
             rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float),
                                     static_cast<std::size_t>(mesh.V.rows())));
         auto* triangles = static_cast<unsigned*>(
             rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                     3 * sizeof(unsigned), static_cast<std::size_t>(mesh.F.rows())));
-        if (!vertices || !triangles) throw SolverFailure("alignment: no memory for the search tree");
-        std::transform(mesh.V.data(), mesh.V.data() + mesh.V.size(), vertices,
-                       [](double x) { return static_cast<float>(x); });
-        std::transform(mesh.F.data(), mesh.F.data() + mesh.F.size(), triangles,
-                       [](int v) { return static_cast<unsigned>(v); });
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene, geometry);
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene);
-        if (rtcGetDeviceError(device) != RTC_ERROR_NONE)
-            throw SolverFailure("alignment: Embree could not build its tree");
+        if (vertices && triangles) {  // else the tree says so
+            std::transform(mesh.V.data(), mesh.V.data() + mesh.V.size(), vertices,
+                           [](double x) { return static_cast<float>(x); });
+            std::transform(mesh.F.data(), mesh.F.data() + mesh.F.size(), triangles,
+                           [](int v) { return static_cast<unsigned>(v); });
+        }
+        tree = device.tree(geometry, RTC_SCENE_FLAG_ROBUST);
     }
 };
 
@@ -144,7 +121,7 @@ SurfacePlace ClosestPoints::query(const Eigen::Vector3d& point, const Eigen::Vec
     Search search;
     search.mesh = &tree_->mesh;
     search.normals = &tree_->normals;
-    search.point = (point - tree_->centre.transpose()) / tree_->size;
+    search.point = (point - tree_->frame.centre.transpose()) / tree_->frame.size;
     search.normal = normal;
     search.least_agreement = least_agreement;
     RTCPointQuery query;
@@ -155,7 +132,7 @@ SurfacePlace ClosestPoints::query(const Eigen::Vector3d& point, const Eigen::Vec
     query.radius = std::numeric_limits<float>::infinity();
     RTCPointQueryContext context;
     rtcInitPointQueryContext(&context);
-    rtcPointQuery(tree_->scene, &query, &context, visit, &search);
+    rtcPointQuery(tree_->tree.get(), &query, &context, visit, &search);
     if (search.triangle < 0) return {};
     const auto corners = tree_->mesh.F.row(search.triangle);
     return {{corners[0], corners[1], corners[2]}, search.weights};

@@ -20,9 +20,8 @@ struct SurfacePlace {
     }
 };
 
-/// Finds closest points of a mesh whose normals agree with the query's: the one door of morph to Embree,
-/// whose tree narrows the search; distances and choices are made in doubles. Queries may run from several
-/// threads.
+/// Finds closest points of a mesh whose normals agree with the query's: Embree's tree narrows the search;
+/// distances and choices are made in doubles. Queries may run from several threads.
 class ClosestPoints {
 public:
     /// @throws SolverFailure Embree could not be started

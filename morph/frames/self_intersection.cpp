@@ -1,11 +1,5 @@
 #include "morph/frames/self_intersection.h"
 
-#if __has_include(<embree4/rtcore.h>)
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -15,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "morph/mesh/errors.h"
+#include "morph/mesh/search_tree.h"
 
 namespace automorph {
 
@@ -84,26 +78,12 @@ bool adjacent(const Mesh& mesh, int f, int g) {
     return false;
 }
 
-/// A device of Embree's that works in one thread: the caller's threads have frames of their own.
-class Device {
-public:
-    Device() : device_(rtcNewDevice("threads=1")) {
-        if (!device_) throw SolverFailure("self-intersections: Embree could not be started");
-    }
-    ~Device() { rtcReleaseDevice(device_); }
-    Device(const Device&) = delete;
-    operator RTCDevice() const { return device_; }
-
-private:
-    RTCDevice device_;
-};
-
 /// Boxes of some of a mesh's triangles, as a tree.
 class Boxes {
 public:
-    Boxes(const Device& device, const Mesh& mesh, std::vector<int> triangles)
-        : mesh_(mesh), triangles_(std::move(triangles)), scene_(rtcNewScene(device)) {
-        const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+    Boxes(const SearchDevice& device, const Mesh& mesh, std::vector<int> triangles)
+        : mesh_(mesh), triangles_(std::move(triangles)) {
+        const RTCGeometry geometry = device.geometry(RTC_GEOMETRY_TYPE_USER);
         rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(triangles_.size()));
         rtcSetGeometryUserData(geometry, this);
         rtcSetGeometryBoundsFunction(
@@ -112,15 +92,8 @@ public:
                 static_cast<const Boxes*>(a->geometryUserPtr)->bound(a->primID, *a->bounds_o);
             },
             nullptr);
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_, geometry);
-        rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene_);
-        if (rtcGetDeviceError(device) == RTC_ERROR_NONE) return;
-        rtcReleaseScene(scene_);
-        throw SolverFailure("self-intersections: Embree could not build its tree");
+        tree_ = device.tree(geometry, RTC_SCENE_FLAG_NONE);
     }
-    ~Boxes() { rtcReleaseScene(scene_); }
     Boxes(const Boxes&) = delete;
 
     const std::vector<int>& triangles() const { return triangles_; }
@@ -134,7 +107,7 @@ public:
             const Visit& visit;
         } pass{*this, others, visit};
         rtcCollide(
-            scene_, others.scene_,
+            tree_.get(), others.tree_.get(),
             [](void* user, RTCCollision* found, unsigned count) {
                 const Pass& p = *static_cast<const Pass*>(user);
                 for (unsigned k = 0; k < count; ++k)
@@ -161,7 +134,7 @@ private:
 
     const Mesh& mesh_;
     std::vector<int> triangles_;
-    RTCScene scene_;
+    SearchTree tree_;
 };
 
 /// Of n triangles, `count` at equal steps.
@@ -189,11 +162,8 @@ int crossing(const Mesh& mesh, const Boxes& some, const Boxes& all) {
 SelfIntersections self_intersections(const Mesh& given, double most_pairs) {
     const int n = given.triangle_count();
     if (n == 0) return {};
-    // About the origin and of size 1: Embree's boxes are of floats.
-    const Eigen::RowVector3d low = given.V.colwise().minCoeff(), high = given.V.colwise().maxCoeff();
-    const double size = std::max((high - low).maxCoeff(), std::numeric_limits<double>::min());
-    const Mesh mesh{(given.V.rowwise() - 0.5 * (low + high)) / size, given.F};
-    const Device device;
+    const Mesh mesh{UnitFrame(given.V).in(given.V), given.F};
+    const SearchDevice device("self-intersections");
     const Boxes all(device, mesh, sample(n, n)), few(device, mesh, sample(n, std::min(n, kProbes)));
     std::atomic<long> overlaps = 0;
     few.for_overlaps(all, [&](int, int) { ++overlaps; });

@@ -31,8 +31,8 @@ constexpr double kLeastCost = 1e-12;
 /// Valence from which on a collapse gets dearer.
 constexpr int kHighValence = 8;
 /// Vertices of higher valence wait until their neighbours have gone; the detailed cost is quadratic in it.
-constexpr int kHub = 20;
-constexpr double kHubCost = 1e6;
+constexpr int kWaits = 20;
+constexpr double kWaitingCost = 1e6;
 
 /// Area-weighted squared distance from planes [Garland97]: the upper triangle of the 4 x 4 matrix.
 using Quadric = std::array<double, 10>;
@@ -196,7 +196,7 @@ private:
         const int valence = mesh_.valence[at(u.vertex)] + static_cast<int>(n) - 4;
         const double too_many = std::max(0, valence - kHighValence);
         const double factor = 1.0 + 0.25 * too_many * too_many;
-        if (n > kHub) return (kLeastCost + squared_length) * factor * kHubCost;
+        if (n > kWaits) return (kLeastCost + squared_length) * factor * kWaitingCost;
 
         double area = 0.0, turned = 0.0;
         for (std::size_t j = 0; j < n; ++j) {
