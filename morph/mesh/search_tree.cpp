@@ -14,7 +14,7 @@ UnitFrame::UnitFrame(const Points& V) {
     size = std::max((high - low).norm(), std::numeric_limits<double>::min());
 }
 
-SearchDevice::SearchDevice(std::string stage) : stage_(std::move(stage)), device_(rtcNewDevice("threads=1")) {
+SearchDevice::SearchDevice(std::string stage) : stage_(std::move(stage)), device_(rtcNewDevice(nullptr)) {
     if (!device_) throw SolverFailure(stage_ + ": Embree could not be started");
 }
 

@@ -31,8 +31,8 @@ struct ReleaseScene {
 /// A tree of one geometry.
 using SearchTree = std::unique_ptr<RTCSceneTy, ReleaseScene>;
 
-/// A device of Embree's: the one door of morph to that library. It works in the caller's thread, which has
-/// neighbours.
+/// A device of Embree's: the one door of morph to that library. It may use all threads that TBB may: one with
+/// `threads=1` would leave the whole process a single one while it lives.
 class SearchDevice {
 public:
     /// @param stage  named in errors

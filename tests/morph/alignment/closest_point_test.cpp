@@ -1,5 +1,7 @@
 #include "morph/alignment/closest_point.h"
 
+#include <tbb/global_control.h>
+
 #include <Eigen/Geometry>
 #include <limits>
 
@@ -63,6 +65,15 @@ TEST_CASE("the closest point is as close as that of an exhaustive search, far fr
         }
         CHECK((place.in(mesh.V).transpose() - p).norm() == Approx(least).margin(1e-6));
     }
+}
+
+TEST_CASE("while closest points can be asked for, other work may use as many threads as before") {
+    const auto threads = [] {
+        return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    };
+    const tbb::global_control two(tbb::global_control::max_allowed_parallelism, 2);
+    const ClosestPoints closest(ellipsoid({1.0, 0.6, 0.3}, {.triangles = 120}));
+    CHECK(threads() == 2);
 }
 
 TEST_CASE("a normal keeps the two sides of a thin sheet apart") {
