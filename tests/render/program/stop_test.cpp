@@ -23,7 +23,9 @@ using Clock = std::chrono::steady_clock;
 int helpers_of(const fs::path& folder) {
     int count = 0;
     for (const auto& entry : fs::directory_iterator("/proc")) {
-        const std::string words = content(entry.path() / "cmdline");
+        std::ostringstream read;
+        read << std::ifstream(entry.path() / "cmdline").rdbuf();  // nothing where the process has ended
+        const std::string words = read.str();
         count += words.rfind("ffmpeg", 0) == 0 && words.find(folder.string()) != std::string::npos ? 1 : 0;
     }
     return count;
