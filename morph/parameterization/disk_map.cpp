@@ -156,8 +156,25 @@ DiskMap disk_map(const Mesh& mesh, const std::vector<int>& loop, const Points& b
     for (std::size_t k = 0; k < loop.size(); ++k)
         start.row(loop[k]) = border.row(static_cast<Eigen::Index>(k));
 
+    std::vector<char> fixed(static_cast<std::size_t>(mesh.vertex_count()));
+    for (std::size_t v = 0; v < fixed.size(); ++v) fixed[v] = unknowns.row[v] < 0 ? 1 : 0;
     DiskMap map, fewest;
     fewest.quality.flipped = std::numeric_limits<int>::max();
+    // `found` with its flipped triangles turned by moving vertices, if that can be done.
+    const auto repaired = [&](DiskMap found) -> std::optional<DiskMap> {
+        RepairedMap repair = repair_map(mesh, fixed, found.rays);
+        if (repair.flipped > 0) {
+            append(map.reason, fmt::format("{} remain after repair", repair.flipped));
+            return std::nullopt;
+        }
+        found.reason = map.reason;
+        append(found.reason, fmt::format("{} vertices of the {} map were moved one by one", repair.moved,
+                                         name(found.weights)));
+        found.rays = std::move(repair.rays);
+        found.repaired = repair.moved;
+        found.quality = map_quality(mesh, found.rays);
+        return found;
+    };
     for (const MapWeights kind : {MapWeights::Cotangent, MapWeights::MeanValue, MapWeights::Uniform}) {
         if (kind < options.first || (kind > options.first && !options.fallbacks)) continue;
         const WeightMatrix weights = weight_matrix(mesh, unknowns.row, unknowns.count, kind);
@@ -177,23 +194,14 @@ DiskMap disk_map(const Mesh& mesh, const std::vector<int>& loop, const Points& b
         }
         append(map.reason, fmt::format("{} weights flip {} triangle{}", name(kind), map.quality.flipped,
                                        map.quality.flipped == 1 ? "" : "s"));
+        // Positive weights flip by rounding alone: whether they do is chance, and must not choose the map.
+        if (kind == MapWeights::MeanValue && options.fallbacks) {
+            if (auto mean_value = repaired(map)) return *mean_value;
+        }
         if (map.quality.flipped < fewest.quality.flipped) fewest = map;
     }
-
-    if (options.fallbacks && fewest.rays.rows() > 0) {
-        std::vector<char> fixed(static_cast<std::size_t>(mesh.vertex_count()));
-        for (std::size_t v = 0; v < fixed.size(); ++v) fixed[v] = unknowns.row[v] < 0 ? 1 : 0;
-        RepairedMap repaired = repair_map(mesh, fixed, fewest.rays);
-        if (repaired.flipped == 0) {
-            fewest.reason = map.reason;
-            append(fewest.reason, fmt::format("{} vertices of the {} map were moved one by one",
-                                              repaired.moved, name(fewest.weights)));
-            fewest.rays = std::move(repaired.rays);
-            fewest.repaired = repaired.moved;
-            fewest.quality = map_quality(mesh, fewest.rays);
-            return fewest;
-        }
-        append(map.reason, fmt::format("{} remain after repair", repaired.flipped));
+    if (options.fallbacks && fewest.rays.rows() > 0 && fewest.weights != MapWeights::MeanValue) {
+        if (auto last = repaired(fewest)) return *last;
     }
     throw SolverFailure(fmt::format("no one-to-one map onto the disk: {} ({} vertices, {} triangles)",
                                     map.reason, mesh.vertex_count(), mesh.triangle_count()));
