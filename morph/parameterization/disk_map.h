@@ -31,11 +31,10 @@ struct DiskMapOptions {
 ///
 /// Method     one sparse factorisation (LDLT; LU for mean value weights), two right-hand sides, two steps of
 ///            iterative refinement with residuals formed from differences h_j - h_i.
-/// Deviation  where the map flips a triangle by the exact predicate, mean value weights [Floater03] are
-/// tried,
-///            then uniform ones [Tutte63]: positive weights and a strictly convex border make a one-to-one
-///            map. Where even those fail in floating point (triangles below 1e-15), the one with the fewest
-///            flips is repaired vertex by vertex (repair_map).
+/// Deviation  where the map flips a triangle by the exact predicate, mean value weights [Floater03] follow:
+///            positive weights and a strictly convex border make a one-to-one map. Where rounding flips some
+///            all the same (triangles below 1e-15), they are turned vertex by vertex (repair_map), so that
+///            rounding does not choose the map. Last come uniform weights [Tutte63].
 /// @pre one component, one boundary loop, Euler characteristic 1, every vertex used
 /// @throws InvalidMesh   the precondition is broken; the message gives the counts found
 /// @throws SolverFailure every choice flips a triangle; the message gives the counts
