@@ -10,8 +10,8 @@ namespace automorph {
 
 namespace {
 
-constexpr double kKept = 0.8;         // share of the distances that count
-constexpr int kQueriesOfTask = 1024;  // some milliseconds
+constexpr double kKept = 0.8;  // share of the distances that count
+constexpr int kBatch = 1024;   // queries of one task, some milliseconds
 
 NearestPoints<6>::Rows with_normals(const Points& points, const Points& normals, double sign) {
     NearestPoints<6>::Rows rows(points.rows(), 6);
@@ -25,20 +25,19 @@ double one_sided(const SurfaceSample& sample, const RigidMotion& motion, double 
     const NearestPoints<6>::Rows queries =
         with_normals(motion.apply(sample.points), sample.normals * motion.R.transpose(), sign);
     Eigen::ArrayXd distance(queries.rows());
-    tbb::parallel_for(
-        tbb::blocked_range<Eigen::Index>(0, queries.rows(), kQueriesOfTask), [&](const auto& range) {
-            for (Eigen::Index i = range.begin(); i < range.end(); ++i) {
-                std::uint32_t row;
-                double d2;
-                tree.query(queries.row(i).data(), 1, &row, &d2);
-                const Eigen::Matrix<double, 6, 1> offset = queries.row(i) - tree.points().row(row);
-                const Eigen::Vector3d normal = tree.points().row(row).tail<3>() / kNormalWeight;
-                const double along = normal.dot(offset.head<3>());
-                const double across = (offset.head<3>() - along * normal).norm();
-                const double gap = std::max(0.0, across - spacing);
-                distance[i] = std::sqrt(along * along + gap * gap + offset.tail<3>().squaredNorm());
-            }
-        });
+    tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, queries.rows(), kBatch), [&](const auto& range) {
+        for (Eigen::Index i = range.begin(); i < range.end(); ++i) {
+            std::uint32_t row;
+            double d2;
+            tree.query(queries.row(i).data(), 1, &row, &d2);
+            const Eigen::Matrix<double, 6, 1> offset = queries.row(i) - tree.points().row(row);
+            const Eigen::Vector3d normal = tree.points().row(row).tail<3>() / kNormalWeight;
+            const double along = normal.dot(offset.head<3>());
+            const double across = (offset.head<3>() - along * normal).norm();
+            const double gap = std::max(0.0, across - spacing);
+            distance[i] = std::sqrt(along * along + gap * gap + offset.tail<3>().squaredNorm());
+        }
+    });
     return trimmed_mean(std::move(distance));
 }
 
