@@ -240,9 +240,12 @@ std::optional<Hit> EmbreeScene::intersect(const Ray& ray, float far) const {
 std::array<std::optional<Hit>, RayPacket::kSize> EmbreeScene::intersect(const RayPacket& packet) const {
     alignas(64) std::array<int, RayPacket::kSize> valid;
     alignas(64) RTCRayHit16 query;
+    // Where Embree splits a packet (without AVX-512), it looks at the rays of a part even if none is valid.
+    const Ray unused{Vec3::Zero(), Vec3::UnitX()};
     for (std::size_t i = 0; i < RayPacket::kSize; ++i) {
-        valid[i] = i < packet.count && traceable(packet.rays[i]) ? -1 : 0;
-        const Ray& ray = packet.rays[i < packet.count ? i : 0];
+        const bool used = i < packet.count && traceable(packet.rays[i]);
+        valid[i] = used ? -1 : 0;
+        const Ray& ray = used ? packet.rays[i] : unused;
         query.ray.org_x[i] = ray.origin.x();
         query.ray.org_y[i] = ray.origin.y();
         query.ray.org_z[i] = ray.origin.z();
