@@ -4,8 +4,7 @@
 #include "tests/catch.h"
 
 TEST_CASE("numbers do not depend on the maker of the processor or on its caches") {
-    // 24 bits of a square root are exact everywhere; approximations of them are not the same on Intel and
-    // AMD.
+    // A square root is exact everywhere, approximations of it are not the same on Intel and AMD.
     const Eigen::ArrayXf x = Eigen::ArrayXf::LinSpaced(4001, 1e-6f, 30.0f), roots = x.sqrt();
     int inexact = 0;
     for (Eigen::Index i = 0; i < x.size(); ++i) inexact += roots[i] == std::sqrt(x[i]) ? 0 : 1;
