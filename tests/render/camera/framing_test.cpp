@@ -116,6 +116,15 @@ TEST_CASE("a single point, and points on one view ray, give a valid camera") {
     }
 }
 
+TEST_CASE("what floats cannot show is refused") {
+    std::mt19937 random(4);
+    const Points V = random_cloud(random, 1.0);
+    CHECK_NOTHROW(frame_all({1e-10 * V}));
+    CHECK_THROWS_AS(frame_all({1e-13 * V}), Error);
+    CHECK_NOTHROW(frame_all({1e6 * V}));
+    CHECK_THROWS_AS(frame_all({1e8 * V}), Error);
+}
+
 TEST_CASE("framing refuses nothing to frame and options out of range") {
     CHECK_THROWS_AS(Framing({}).camera(), Error);
     FramingOptions options;
