@@ -15,8 +15,7 @@ namespace {
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr double kLeastDistance = 0.01;  // of the nearest point, in depths of the shape
 constexpr double kRounding = 1e-12;      // relative to the coordinates
-// Of the shape from its camera. Beyond, squares of areas are no floats any more: shapes get holes, the ground
-// is gone.
+// Of the shape from its camera. Beyond, floats do not hold squares of areas: there are holes, and no ground.
 constexpr double kNearestShape = 1e-10, kFarthestShape = 1e8;
 
 /// The least value of functional . p while p turns. With p = foot on the axis + r, that is functional . foot
@@ -126,11 +125,10 @@ Camera Framing::camera() const {
     if (!(middle - back > kRounding * size))
         back = middle - (size > 0.0 ? size : 1.0);  // all points coincide
     if (const double distance = middle - back; !(distance >= kNearestShape && distance <= kFarthestShape)) {
-        throw Error(
-            fmt::format("the shape is too {} for a picture: its camera would be {:.1g} units away, which "
-                        "must be within {:g} and {:g}; "
-                        "give the mesh in another unit",
-                        distance < 1.0 ? "small" : "large", distance, kNearestShape, kFarthestShape));
+        throw Error(fmt::format(
+            "the shape is too {} for a picture: its camera would be {:.1g} units away, which must "
+            "be within {:g} and {:g}; give the mesh in another unit",
+            distance < 1.0 ? "small" : "large", distance, kNearestShape, kFarthestShape));
     }
 
     Camera camera;

@@ -39,8 +39,7 @@ public:
     /// Takes in all that the vertices pass while they turn: exact, at angles between frames, too.
     void add(const Points& V, const Sweep& sweep);
 
-    /// @throws Error if no finite point was added, or the shape is so small or large that floats cannot show
-    /// it
+    /// @throws Error if no finite point was added, or if floats cannot show a shape so small or so large
     Camera camera() const;
 
 private:

@@ -1,4 +1,4 @@
-#include "overlay_bench.h"
+#include "tests/bench/overlay_bench.h"
 
 #include <fmt/format.h>
 

@@ -30,8 +30,8 @@ int main() {
     const render::RenderResult picture = render::render(scene, camera, {.width = 32, .height = 32, .spp = 4});
 
     const PolygonSoup read = read_mesh("half.ply");
-    const bool same_bits =
-        Eigen::l1CacheSize() == 32 * 1024;  // not this machine's: see the main CMakeLists.txt
+    // Not this machine's caches: see same_bits in the main CMakeLists.txt.
+    const bool same_bits = Eigen::l1CacheSize() == 32 * 1024;
     const bool good = same_bits && read.V == V && m.report().overlays.size() == 1 &&
                       picture.samples == 32 * 32 * 4 && picture.bad_samples == 0 &&
                       picture.rays > picture.samples;
