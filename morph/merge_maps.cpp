@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "morph/mesh/geometry.h"
+#include "morph/mesh/half_edge_table.h"
 #include "morph/overlay/lift.h"
 #include "morph/overlay/snap.h"
 #include "morph/overlay/triangulate.h"
@@ -20,21 +21,26 @@ std::vector<Site> composed(const std::vector<Site>& merged, const std::vector<Si
     return result;
 }
 
-/// Merged triangles that face against the triangle they lie in: indices.
-/// @param points  #merged x 3 places of merged vertices on the part's shape
-/// @param parent  per merged triangle: the part's triangle
-std::vector<Eigen::Index> turned_triangles(const Triangles& F, const Points& points, const Mesh& part,
-                                           const std::vector<int>& parent) {
-    const double flat = kFlatHeight * bounding_box_diagonal(part.V);
-    std::vector<Eigen::Index> turned;
-    for (Eigen::Index f = 0; f < F.rows(); ++f) {
+/// Tells merged triangles that face against the triangle they lie in.
+class Facing {
+public:
+    /// @param parent  per merged triangle: the part's triangle
+    Facing(const Triangles& F, const Mesh& part, const std::vector<int>& parent)
+        : F_(F), part_(part), parent_(parent), flat_(kFlatHeight * bounding_box_diagonal(part.V)) {}
+
+    /// @param points  #merged x 3 places of merged vertices on the part's shape
+    bool turned(const Points& points, int f) const {
         const Eigen::Vector3d facing =
-            doubled_area_vector(part.V, part.F, parent[static_cast<std::size_t>(f)]).stableNormalized();
-        if (doubled_area_vector(points, F, f).dot(facing) < -flat * longest_edge(points, F, f))
-            turned.push_back(f);
+            doubled_area_vector(part_.V, part_.F, parent_[static_cast<std::size_t>(f)]).stableNormalized();
+        return doubled_area_vector(points, F_, f).dot(facing) < -flat_ * longest_edge(points, F_, f);
     }
-    return turned;
-}
+
+private:
+    const Triangles& F_;
+    const Mesh& part_;
+    const std::vector<int>& parent_;
+    double flat_;
+};
 
 int zero_area_triangles(const Points& V, const Triangles& F) {
     const Eigen::VectorXd areas = triangle_areas({V, F});
@@ -51,24 +57,45 @@ struct Flattened {
 };
 
 /// Puts the corners of turned triangles back on their facets, until none is turned or there is nothing left
-/// to put back.
+/// to put back. That can turn neighbours, ring by ring; after the first look only what moved is looked at.
 Flattened flatten_turned(const Triangles& F, const Points& flat, const Mesh& part,
                          const std::vector<int>& parent, Points& points) {
+    const Facing facing(F, part, parent);
+    std::vector<char> is_turned(static_cast<std::size_t>(F.rows()), 0);
+    std::vector<int> turned;
+    for (int f = 0; f < F.rows(); ++f) {
+        if (!facing.turned(points, f)) continue;
+        is_turned[static_cast<std::size_t>(f)] = 1;
+        turned.push_back(f);
+    }
+    if (turned.empty()) return {};
+
     Flattened result;
-    for (bool again = true; again;) {
-        again = false;
-        const std::vector<Eigen::Index> turned = turned_triangles(F, points, part, parent);
-        result.turned = static_cast<int>(turned.size());
-        for (const Eigen::Index f : turned) {
+    const HalfEdgeTable edges(F, static_cast<int>(points.rows()));
+    while (!turned.empty()) {
+        std::vector<int> moved;
+        for (const int f : turned) {
             for (int k = 0; k < 3; ++k) {
                 const int v = F(f, k);
                 if (points.row(v) == flat.row(v)) continue;
                 points.row(v) = flat.row(v);
-                ++result.vertices;
-                again = true;
+                moved.push_back(v);
             }
         }
+        result.vertices += static_cast<int>(moved.size());
+        turned.clear();
+        for (const int v : moved) {
+            const int first = edges.outgoing(v);
+            int h = first;
+            do {
+                const int f = HalfEdgeTable::face(h);
+                is_turned[static_cast<std::size_t>(f)] = facing.turned(points, f);
+                if (is_turned[static_cast<std::size_t>(f)]) turned.push_back(f);
+                h = edges.turn(h);
+            } while (h >= 0 && h != first);
+        }
     }
+    result.turned = static_cast<int>(std::count(is_turned.begin(), is_turned.end(), 1));
     return result;
 }
 
