@@ -1,21 +1,34 @@
 #include "morph/alignment/closest_point.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "morph/mesh/errors.h"
+#include "morph/alignment/facet_tree.h"
 #include "morph/mesh/geometry.h"
-#include "morph/mesh/search_tree.h"
 
 namespace automorph {
 
 namespace {
 
-// The tree has float coordinates about the mesh's centre in units of its size: this much more than the best
-// distance so far is looked through, so that their rounding hides nothing.
-constexpr double kWider = 1.0 + 1e-6, kFarther = 1e-6;
+constexpr double kNowhere = std::numeric_limits<double>::infinity(),
+                 kAnyDistance = std::numeric_limits<double>::max();
+
+/// Rounding of coordinates, normals and distances, in sizes of the mesh.
+constexpr double kSlack = 1e-12;
+
+/// What lies no farther than this is looked through, so that rounding hides nothing as close as the closest.
+double widened(double squared_distance) {
+    const double distance = std::sqrt(squared_distance) * (1.0 + kSlack) + kSlack;
+    return distance * distance;
+}
+
+Points facet_normals(const Mesh& mesh) {
+    Points normals(mesh.F.rows(), 3);
+    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
+        normals.row(f) = doubled_area_vector(mesh.V, mesh.F, f).stableNormalized();
+    return normals;
+}
 
 /// Barycentric coordinates of the point of triangle abc closest to p [Ericson05, Sec. 5.1.5].
 Eigen::Vector3d closest(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
@@ -48,68 +61,22 @@ Eigen::Vector3d closest(const Eigen::Vector3d& p, const Eigen::Vector3d& a, cons
     return {va / sum, vb / sum, vc / sum};
 }
 
-struct Search {
-    const Mesh* mesh = nullptr;
-    const Points* normals = nullptr;
-    Eigen::Vector3d point, normal;
-    double least_agreement = 0.0;
-    double squared_distance = std::numeric_limits<double>::infinity();
-    int triangle = -1;
-    Eigen::Vector3d weights;
-};
-
-bool visit(RTCPointQueryFunctionArguments* arguments) {
-    Search& search = *static_cast<Search*>(arguments->userPtr);
-    const int f = static_cast<int>(arguments->primID);
-    if (!(search.normal.dot(search.normals->row(f)) > search.least_agreement)) return false;
-    const Eigen::Vector3d a = search.mesh->V.row(search.mesh->F(f, 0)),
-                          b = search.mesh->V.row(search.mesh->F(f, 1)),
-                          c = search.mesh->V.row(search.mesh->F(f, 2));
-    const Eigen::Vector3d weights = closest(search.point, a, b, c);
-    if (!weights.allFinite()) return false;
-    const double distance2 = (weights[0] * a + weights[1] * b + weights[2] * c - search.point).squaredNorm();
-    if (distance2 > search.squared_distance) return false;
-    if (distance2 == search.squared_distance && f > search.triangle) return false;
-    search.squared_distance = distance2;
-    search.triangle = f;
-    search.weights = weights;
-    const auto radius = static_cast<float>(std::sqrt(distance2) * kWider + kFarther);
-    if (radius >= arguments->query->radius) return false;
-    arguments->query->radius = radius;
-    return true;
-}
-
 }  // namespace
 
 struct ClosestPoints::Tree {
     UnitFrame frame;
     Mesh mesh;  // in that frame
     Points normals;
-    SearchDevice device{"alignment"};
-    SearchTree tree;
+    FacetTree facets;
 
-    explicit Tree(const Mesh& of) : frame(of.V), mesh{frame.in(of.V), of.F} {
-        normals.resize(mesh.F.rows(), 3);
-        for (Eigen::Index f = 0; f < mesh.F.rows(); ++f)
-            normals.row(f) = doubled_area_vector(mesh.V, mesh.F, f).stableNormalized();
-        build();
+    explicit Tree(const Mesh& of)
+        : frame(of.V), mesh{frame.in(of.V), of.F}, normals(facet_normals(mesh)), facets(mesh, normals) {}
+
+    Eigen::Vector3d in_frame(const Eigen::Vector3d& point) const {
+        return (point - frame.centre.transpose()) / frame.size;
     }
-
-    void build() {
-        const RTCGeometry geometry = device.geometry(RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* vertices = static_cast<float*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float),
-                                    static_cast<std::size_t>(mesh.V.rows())));
-        auto* triangles = static_cast<unsigned*>(
-            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                    3 * sizeof(unsigned), static_cast<std::size_t>(mesh.F.rows())));
-        if (vertices && triangles) {  // else the tree says so
-            std::transform(mesh.V.data(), mesh.V.data() + mesh.V.size(), vertices,
-                           [](double x) { return static_cast<float>(x); });
-            std::transform(mesh.F.data(), mesh.F.data() + mesh.F.size(), triangles,
-                           [](int v) { return static_cast<unsigned>(v); });
-        }
-        tree = device.tree(geometry, RTC_SCENE_FLAG_ROBUST);
+    SurfacePlace place(int triangle, const Eigen::Vector3d& weights) const {
+        return {{mesh.F(triangle, 0), mesh.F(triangle, 1), mesh.F(triangle, 2)}, weights};
     }
 };
 
@@ -118,24 +85,55 @@ ClosestPoints::~ClosestPoints() = default;
 
 SurfacePlace ClosestPoints::query(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
                                   double least_agreement) const {
-    Search search;
-    search.mesh = &tree_->mesh;
-    search.normals = &tree_->normals;
-    search.point = (point - tree_->frame.centre.transpose()) / tree_->frame.size;
-    search.normal = normal;
-    search.least_agreement = least_agreement;
-    RTCPointQuery query;
-    query.x = static_cast<float>(search.point.x());
-    query.y = static_cast<float>(search.point.y());
-    query.z = static_cast<float>(search.point.z());
-    query.time = 0.0f;
-    query.radius = std::numeric_limits<float>::infinity();
-    RTCPointQueryContext context;
-    rtcInitPointQueryContext(&context);
-    rtcPointQuery(tree_->tree.get(), &query, &context, visit, &search);
-    if (search.triangle < 0) return {};
-    const auto corners = tree_->mesh.F.row(search.triangle);
-    return {{corners[0], corners[1], corners[2]}, search.weights};
+    const Eigen::Vector3d p = tree_->in_frame(point);
+    const auto lowest = [&](const FacetTree::Bounds& bounds) {
+        const double best_agreement = normal.cwiseProduct(bounds.normals.min())
+                                          .cwiseMax(normal.cwiseProduct(bounds.normals.max()))
+                                          .sum();
+        return best_agreement + kSlack > least_agreement ? bounds.places.squaredExteriorDistance(p)
+                                                         : kNowhere;
+    };
+    double least = kNowhere, limit = kAnyDistance;
+    int triangle = -1;
+    Eigen::Vector3d weights;
+    tree_->facets.search(lowest, limit, [&](int f) {
+        if (!(normal.dot(tree_->normals.row(f)) > least_agreement)) return;
+        const Eigen::Vector3d a = tree_->mesh.V.row(tree_->mesh.F(f, 0)),
+                              b = tree_->mesh.V.row(tree_->mesh.F(f, 1)),
+                              c = tree_->mesh.V.row(tree_->mesh.F(f, 2));
+        const Eigen::Vector3d w = closest(p, a, b, c);
+        if (!w.allFinite()) return;
+        const double distance2 = (w[0] * a + w[1] * b + w[2] * c - p).squaredNorm();
+        if (distance2 > least || (distance2 == least && f > triangle)) return;
+        least = distance2;
+        limit = widened(least);
+        triangle = f;
+        weights = w;
+    });
+    return triangle < 0 ? SurfacePlace{} : tree_->place(triangle, weights);
+}
+
+SurfacePlace ClosestPoints::nearest_facet(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+                                          double scale) const {
+    const Eigen::Vector3d p = tree_->in_frame(point);
+    const double per_area = 1.0 / (scale * scale);
+    const auto lowest = [&](const FacetTree::Bounds& bounds) {
+        return bounds.places.squaredExteriorDistance(p) * per_area +
+               bounds.normals.squaredExteriorDistance(normal);
+    };
+    double least = kNowhere, limit = kAnyDistance;
+    int triangle = -1;
+    tree_->facets.search(lowest, limit, [&](int f) {
+        const Eigen::Vector3d centroid =
+            tree_->mesh.V(tree_->mesh.F.row(f), Eigen::all).colwise().sum().transpose() / 3.0;
+        const double distance2 = (centroid - p).squaredNorm() * per_area +
+                                 (tree_->normals.row(f).transpose() - normal).squaredNorm();
+        if (distance2 > least || (distance2 == least && f > triangle)) return;
+        least = distance2;
+        limit = widened(least);
+        triangle = f;
+    });
+    return triangle < 0 ? SurfacePlace{} : tree_->place(triangle, Eigen::Vector3d::Constant(1.0 / 3.0));
 }
 
 }  // namespace automorph

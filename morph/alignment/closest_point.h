@@ -20,11 +20,10 @@ struct SurfacePlace {
     }
 };
 
-/// Finds closest points of a mesh whose normals agree with the query's: Embree's tree narrows the search;
-/// distances and choices are made in doubles. Queries may run from several threads.
+/// Finds closest points of a mesh whose normals agree with the query's, by a tree that bounds places and
+/// normals. Queries may run from several threads.
 class ClosestPoints {
 public:
-    /// @throws SolverFailure Embree could not be started
     explicit ClosestPoints(const Mesh& mesh);
     ~ClosestPoints();
 
@@ -32,6 +31,12 @@ public:
     /// equally close ones the triangle of smallest index. Not found() where no triangle's normal agrees.
     SurfacePlace query(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
                        double least_agreement) const;
+
+    /// The middle of the triangle nearest in place and normal; among equally near ones that of smallest
+    /// index. Not found() in a mesh without triangles.
+    /// @param scale  distance of centroids, in diagonals of the mesh, that counts as one between unit normals
+    SurfacePlace nearest_facet(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
+                               double scale) const;
 
 private:
     struct Tree;

@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "morph/mesh/search_tree.h"
+#include "morph/frames/search_tree.h"
+#include "morph/mesh/geometry.h"
 
 namespace automorph {
 
@@ -163,7 +164,7 @@ SelfIntersections self_intersections(const Mesh& given, double most_pairs) {
     const int n = given.triangle_count();
     if (n == 0) return {};
     const Mesh mesh{UnitFrame(given.V).in(given.V), given.F};
-    const SearchDevice device("self-intersections");
+    const SearchDevice device;
     const Boxes all(device, mesh, sample(n, n)), few(device, mesh, sample(n, std::min(n, kProbes)));
     std::atomic<long> overlaps = 0;
     few.for_overlaps(all, [&](int, int) { ++overlaps; });

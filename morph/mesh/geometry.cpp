@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace automorph {
 
@@ -21,6 +22,12 @@ Eigen::Vector3d area_vector(const Mesh& mesh, int f) {
 double bounding_box_diagonal(const Points& V) {
     if (V.rows() == 0) return 0.0;
     return (V.colwise().maxCoeff() - V.colwise().minCoeff()).norm();
+}
+
+UnitFrame::UnitFrame(const Points& V) {
+    const Eigen::RowVector3d low = V.colwise().minCoeff(), high = V.colwise().maxCoeff();
+    centre = 0.5 * (low + high);
+    size = std::max((high - low).norm(), std::numeric_limits<double>::min());
 }
 
 Eigen::Vector3d doubled_area_vector(const Points& V, const Triangles& F, Eigen::Index f) {

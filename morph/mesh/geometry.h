@@ -7,6 +7,18 @@ namespace automorph {
 /// Axis-aligned bounding box diagonal, in scene units; 0 for an empty mesh.
 double bounding_box_diagonal(const Points& V);
 
+/// A mesh's place and size: within it the mesh lies about the origin and has size 1, as floats and tolerances
+/// want it.
+struct UnitFrame {
+    Eigen::RowVector3d centre;  ///< of the bounding box
+    double size;                ///< diagonal of the bounding box, > 0
+
+    /// The frame of a mesh that has vertices.
+    explicit UnitFrame(const Points& V);
+
+    Points in(const Points& V) const { return (V.rowwise() - centre) / size; }
+};
+
 /// Normal of a triangle, twice its area long; zero if it has none.
 Eigen::Vector3d doubled_area_vector(const Points& V, const Triangles& F, Eigen::Index f);
 

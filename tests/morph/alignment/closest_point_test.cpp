@@ -1,8 +1,8 @@
 #include "morph/alignment/closest_point.h"
 
-#include <tbb/global_control.h>
-
 #include <Eigen/Geometry>
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include "morph/alignment/places.h"
@@ -67,15 +67,6 @@ TEST_CASE("the closest point is as close as that of an exhaustive search, far fr
     }
 }
 
-TEST_CASE("while closest points can be asked for, other work may use as many threads as before") {
-    const auto threads = [] {
-        return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-    };
-    const tbb::global_control two(tbb::global_control::max_allowed_parallelism, 2);
-    const ClosestPoints closest(ellipsoid({1.0, 0.6, 0.3}, {.triangles = 120}));
-    CHECK(threads() == 2);
-}
-
 TEST_CASE("a normal keeps the two sides of a thin sheet apart") {
     const Mesh mesh = ellipsoid({1.0, 1.0, 0.2}, {.triangles = 1000});
     const ClosestPoints closest(mesh);
@@ -99,6 +90,50 @@ TEST_CASE("a normal keeps the two sides of a thin sheet apart") {
             CHECK((place.in(mesh.V).transpose() - p).norm() == Approx(least).margin(1e-5));
         }
     }
+}
+
+TEST_CASE("closest points and nearest facets are those of an exhaustive search by doubles") {
+    Mesh mesh = ellipsoid({1.0, 0.9, 0.15}, {.triangles = 2000});
+    Random random(11);
+    for (Eigen::Index v = 0; v < mesh.V.rows(); ++v)  // creased: neighbours disagree
+        mesh.V.row(v) += 0.03 * random.in_ball<3>().transpose();
+    const double diagonal = bounding_box_diagonal(mesh.V);
+    const ClosestPoints closest(mesh);
+    int not_found = 0;
+    for (int i = 0; i < 500; ++i) {
+        const Vector3d p = 1.2 * random.in_ball<3>(), n = random.in_ball<3>().normalized();
+        const double least_agreement = i % 2 == 0 ? 0.3 : 0.9995;
+        const SurfacePlace place = closest.query(p, n, least_agreement);
+        const SurfacePlace facet = closest.nearest_facet(p, n, 0.03);
+        bool agrees = false;
+        double nearest = std::numeric_limits<double>::infinity();
+        std::array<int, 3> corners{};
+        for (int f = 0; f < mesh.triangle_count(); ++f) {
+            const Vector3d a = mesh.V.row(mesh.F(f, 0)), b = mesh.V.row(mesh.F(f, 1)),
+                           c = mesh.V.row(mesh.F(f, 2)), n_f = normal(mesh, f);
+            const double distance = ((a + b + c) / 3.0 - p).squaredNorm() / std::pow(0.03 * diagonal, 2) +
+                                    (n_f - n).squaredNorm();
+            if (distance < nearest) {
+                nearest = distance;
+                corners = {mesh.F(f, 0), mesh.F(f, 1), mesh.F(f, 2)};
+            }
+            if (n_f.dot(n) <= least_agreement) continue;
+            agrees = true;
+            // No point of an agreeing triangle is closer: its corners, edges and inside by sampling.
+            for (int u = 0; u <= 4; ++u) {
+                for (int v = 0; u + v <= 4; ++v) {
+                    const Vector3d q = a + 0.25 * u * (b - a) + 0.25 * v * (c - a);
+                    if (place.found() && (q - p).norm() < (place.in(mesh.V).transpose() - p).norm() - 1e-12)
+                        FAIL("triangle " << f << " is closer");
+                }
+            }
+        }
+        CHECK(place.found() == agrees);
+        CHECK(facet.corners == corners);
+        not_found += !agrees;
+    }
+    CHECK(not_found > 20);  // the other case is tested, too
+    CHECK(not_found < 250);
 }
 
 TEST_CASE("where no normal agrees there is no closest point, but a place all the same") {

@@ -7,23 +7,8 @@
 #endif
 
 #include <memory>
-#include <string>
-
-#include "morph/mesh/mesh.h"
 
 namespace automorph {
-
-/// A mesh's place and size. Embree's coordinates are floats: a mesh is handed to it about the origin and of
-/// size 1.
-struct UnitFrame {
-    Eigen::RowVector3d centre;  ///< of the bounding box
-    double size;                ///< diagonal of the bounding box, > 0
-
-    /// The frame of a mesh that has vertices.
-    explicit UnitFrame(const Points& V);
-
-    Points in(const Points& V) const { return (V.rowwise() - centre) / size; }
-};
 
 struct ReleaseScene {
     void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
@@ -35,9 +20,8 @@ using SearchTree = std::unique_ptr<RTCSceneTy, ReleaseScene>;
 /// `threads=1` would leave the whole process a single one while it lives.
 class SearchDevice {
 public:
-    /// @param stage  named in errors
     /// @throws SolverFailure Embree could not be started
-    explicit SearchDevice(std::string stage);
+    SearchDevice();
     ~SearchDevice() { rtcReleaseDevice(device_); }
     SearchDevice(const SearchDevice&) = delete;
 
@@ -47,7 +31,6 @@ public:
     SearchTree tree(RTCGeometry geometry, RTCSceneFlags flags) const;
 
 private:
-    std::string stage_;
     RTCDevice device_;
 };
 
